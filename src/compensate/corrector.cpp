@@ -41,11 +41,8 @@ Corrector::Corrector(const machine::MachineModel& model, const Settings& setting
     : model_(model),
       settings_(settings),
       physics_(model),
-      environment_(physics_.environment()),
+      environment_(environment_of(physics_, settings)),
       radius_(machine::platform_radius(model.geometry)) {
-  environment_.friction = settings.friction;
-  environment_.dynamic = settings.dynamic;
-  environment_.late = false;
   setup_.rotation = model.rotation;
   setup_.bounds = exact::sure_bounds(model.limits);
   setup_.radius = radius_;

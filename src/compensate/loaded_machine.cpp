@@ -9,12 +9,8 @@ LoadedMachine::LoadedMachine(const machine::MachineModel& model, const Settings&
     : model_(model),
       time_s_(settings.time_s.value_or(0)),
       forces_(model),
-      environment_(forces_.environment()),
-      radius_(machine::platform_radius(model.geometry)) {
-  environment_.friction = settings.friction;
-  environment_.dynamic = settings.dynamic;
-  environment_.late = false;
-}
+      environment_(environment_of(forces_, settings)),
+      radius_(machine::platform_radius(model.geometry)) {}
 
 void LoadedMachine::set_tool(const ToolInSpindle& tool) {
   forces_.machine.geometry = machine::with_tool(model_.geometry, tool.length);

@@ -25,6 +25,14 @@ Vector3<double> angular_acceleration(const machine::RotationOrder& order, const 
 
 }  // namespace
 
+physics::Environment environment_of(const physics::ForceModel& forces, const Settings& settings) {
+  physics::Environment environment = forces.environment();
+  environment.friction = settings.friction;
+  environment.dynamic = settings.dynamic;
+  environment.late = false;
+  return environment;
+}
+
 physics::Motion<double> motion_at(const machine::RotationOrder& order, double radius, const Target& target,
                                   const physics::Environment& environment) {
   physics::Motion<double> motion;

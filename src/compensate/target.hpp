@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "base/axes.hpp"
+#include "compensate/settings.hpp"
 #include "machine/orientation.hpp"
+#include "physics/force_model.hpp"
 #include "physics/motion.hpp"
 
 namespace plumbline::compensate {
@@ -21,6 +23,9 @@ struct Target {
 
   bool operator==(const Target&) const = default;
 };
+
+/// What counts on a compensated path: a delay of all drives alike does not, since the path stays the same.
+physics::Environment environment_of(const physics::ForceModel& forces, const Settings& settings);
 
 /// How the machine moves there, at a steady feed: the pose, its velocity, and, where `environment` asks for what
 /// follows from accelerations, its acceleration. `radius` (m) turns a rotation into the speed of a joint. At rest where

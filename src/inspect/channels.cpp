@@ -38,6 +38,22 @@ VectorXd scaled(const RunRows& rows, const std::vector<int>& channels, double by
   return readings;
 }
 
+// The unit of which readings of the bar are about the part of what is predicted.
+std::optional<double> larger_unit(const Channels& channels) {
+  const double factor = channels.factor({kRadial});
+  for (const double unit : kLargerUnits) {
+    if (factor >= kUnitLeast * unit && factor <= kUnitMost * unit) return unit;
+  }
+  return std::nullopt;
+}
+
+Fault bar_in(const Suspects& suspects, std::vector<double> values) {
+  Fault fault{FaultKind::bar_unit, suspects.runs};
+  fault.channels = {kRadial};
+  fault.values = std::move(values);
+  return fault;
+}
+
 Tried made(const Channels& channels, FaultKind kind, std::vector<int> about, double chi2, double penalty,
            std::vector<double> values = {}) {
   Tried one{{kind, channels.suspects().runs}, chi2, penalty};
@@ -304,33 +320,21 @@ std::optional<Fault> finer_than_any_bar(const Suspects& suspects) {
     count += readings.size() - 1;
   }
   const double noise = std::sqrt(squares / static_cast<double>(std::max<Index>(1, count)));
-  const double factor = channels.factor({kRadial});
-  for (const double unit : kLargerUnits) {
-    if (noise >= kFinestBar || factor < kUnitLeast * unit || factor > kUnitMost * unit) continue;
-    Fault fault{FaultKind::bar_unit, suspects.runs};
-    fault.channels = {kRadial};
-    fault.values = {unit, noise};
-    return fault;
-  }
-  return std::nullopt;
+  const std::optional<double> unit = larger_unit(channels);
+  if (!unit || noise >= kFinestBar) return std::nullopt;
+  return bar_in(suspects, {*unit, noise});
 }
 
 std::optional<Fault> fits_in_larger_unit(const Suspects& suspects) {
   const Channels channels(suspects);
   if (!channels.has(kRadial)) return std::nullopt;
-  const double factor = channels.factor({kRadial});
-  for (const double unit : kLargerUnits) {
-    if (factor < kUnitLeast * unit || factor > kUnitMost * unit) continue;
-    const VectorXd readings =
-        channels.whitened([&](std::size_t, const RunRows& run) { return scaled(run, {kRadial}, 1 / unit); });
-    const double left = unit * unit * channels.chi2_of(readings, {kRadial});
-    if (left > kLargerLeaves * channels.chi2_of(channels.measured(), {kRadial})) continue;
-    Fault fault{FaultKind::bar_unit, suspects.runs};
-    fault.channels = {kRadial};
-    fault.values = {unit};
-    return fault;
-  }
-  return std::nullopt;
+  const std::optional<double> unit = larger_unit(channels);
+  if (!unit) return std::nullopt;
+  const VectorXd readings =
+      channels.whitened([&](std::size_t, const RunRows& run) { return scaled(run, {kRadial}, 1 / *unit); });
+  const double left = *unit * *unit * channels.chi2_of(readings, {kRadial});
+  if (left > kLargerLeaves * channels.chi2_of(channels.measured(), {kRadial})) return std::nullopt;
+  return bar_in(suspects, {*unit});
 }
 
 double chi2_as_stated(const Suspects& suspects) { return Channels(suspects).chi2(); }

@@ -159,7 +159,9 @@ TEST_CASE("a control's following error is compensated only where the control is 
   const Target target = at({{50, 20, -1008, 5, -5, 0}});
   const AxisWords plain = Corrector(pm600(), {}).correct(target).pose;
   const machine::MachineModel apart = with("name = \"servo-mismatch\"\nlag_ms = [4, 0, 0, -4, 0, 0]\n");
+  const machine::MachineModel late = with("name = \"servo-lag\"\nlag_ms = 20\n");
   CHECK(Corrector(apart, {}).correct(target).pose == plain);
+  CHECK(Corrector(late, {}).correct(target).pose == plain);
   Settings dynamic;
   dynamic.dynamic = true;
   CHECK(distance(Corrector(apart, dynamic).correct(target).pose, plain) > 0.01);

@@ -32,10 +32,7 @@ TipDoubts::TipDoubts(const machine::MachineModel& model, const Posterior& poster
       model_(model),
       time_s_(settings.time_s.value_or(0)),
       radius_(machine::platform_radius(model.geometry)),
-      environment_(posterior.unknowns.forces().environment()) {
-  environment_.friction = settings.friction;
-  environment_.dynamic = settings.dynamic;
-  environment_.late = false;
+      environment_(compensate::environment_of(posterior.unknowns.forces(), settings)) {
   for (const PosteriorState& state : posterior.states) states_.emplace_back(posterior, state, states_.empty());
   for (const identify::Unknown& unknown : posterior.unknowns) causes_.push_back(cause_of(unknown.effect));
 }

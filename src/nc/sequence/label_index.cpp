@@ -14,8 +14,6 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr std::string_view kEndOfDosFile = "\x1a";  // with which files of DOS end
-
 // What stands after the second % of a tape never reaches the control; %_N_ of a SINUMERIK begins another program.
 bool ends_tape(std::string_view line, bool begun, const Dialect& dialect) {
   const std::size_t first = line.find_first_not_of(" \t");
@@ -304,8 +302,7 @@ std::optional<LinePlace> LabelIndex::unreached_but_by(const Targets& targets, bo
     const auto of_program = targets.find(program);
     const bool is_target = of_program != targets.end() && of_program->second.contains(head.number);
     if (!head.program.empty() || is_target) ended = false;
-    const bool blank = head.empty || line.text == kEndOfDosFile;
-    if (ended && !found && (is_head || !blank)) found = line.place;
+    if (ended && !found && (is_head || !head.empty)) found = line.place;
     const bool returns = head.word == FlowWord::give_back && program <= first;  // to who calls the first program
     if (!(head.behind_slash && left_out) && (returns || holds_program_end(line.text))) ended = true;
   });

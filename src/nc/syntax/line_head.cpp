@@ -21,6 +21,8 @@ bool holds_comments_alone(std::string_view text) {
   return true;
 }
 
+constexpr std::string_view kEndOfDosFile = "\x1a";
+
 class HeadReader {
  public:
   HeadReader(std::string_view line, const Dialect& dialect) : line_(line), dialect_(dialect) {}
@@ -32,6 +34,10 @@ class HeadReader {
       return head_;
     }
     if (line_[at_] == '%') return percent();
+    if (line_.substr(at_) == kEndOfDosFile) {
+      head_.empty = true;
+      return head_;
+    }
     if (line_[at_] == '/') {
       head_.behind_slash = true;
       ++at_;

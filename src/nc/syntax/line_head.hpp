@@ -18,7 +18,7 @@ struct LineHead {
   int loop = 0;          // the number after DO and END
   bool is_main = false;  // the program, by its name: %_N_NAME_MPF
   bool bare = false;     // nothing behind number and label, of a language with names
-  bool empty = false;    // nothing but blanks, a comment or %
+  bool empty = false;    // nothing but blanks, a comment, % or what ends files of DOS
   bool behind_slash = false;
 };
 

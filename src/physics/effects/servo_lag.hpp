@@ -32,10 +32,9 @@ struct ServoLag {
   template <class T>
   static void length(Values<T> p, const Situation<T>& at, machine::PerStrut<T>& sum) {
     if (!at.environment.dynamic) return;
-    const T delayed(at.environment.late ? 1.0 : 0.0);
-    const T bent(at.environment.late ? 1.0 : 0.5);
     for (int j = 0; j < machine::kStruts; ++j) {
-      sum[j] += p[0] * (bent * p[0] * at.rates.acceleration[j] - delayed * at.rates.speed[j]);
+      const T bent = p[0] * at.rates.acceleration[j];
+      sum[j] += p[0] * (at.environment.late ? T(bent - at.rates.speed[j]) : T(0.5 * bent));
     }
   }
 };
