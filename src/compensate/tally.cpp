@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uint64_t kReplayAll = 256;   // corrected moves at the begin
 constexpr std::uint64_t kReplayEvery = 16;  // after them
+constexpr std::uint64_t kOffsetEvery = 64;  // what costs three corrections, and changes little from place to place
 constexpr double kAlmost = 1 - 1e-6;        // pieces of exactly the time are not below it
 constexpr double kOffsetProbeMm = 1;
 constexpr std::size_t kSamples = 8;     // samples, three poses each: whole packs, whatever the processor has
@@ -141,6 +142,7 @@ void Tally::note_end(const CorrectedMove& corrected) {
   if (!corrector_.condition_surely_below(target, summary_.condition.value)) {
     summary_.condition.take(corrector_.condition(target), move.path.place());
   }
+  if (cuts_ > kReplayAll && cuts_ % kOffsetEvery != 0) return;
   ends_.push_back(corrected.commanded(corrected.points.size() - 1) - target.pose);
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) beside_.emplace_back(target).pose[axis] += kOffsetProbeMm;
   if (ends_.size() == kSamples) note_offset_sensitivity();

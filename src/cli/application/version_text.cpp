@@ -14,7 +14,7 @@ namespace plumbline::cli {
 namespace {
 
 #ifdef PLUMBLINE_X86_64_UNITS
-constexpr std::string_view kUnits = ", x86-64-v3, x86-64-v4";
+constexpr std::string_view kUnits = ", x86-64-v2, x86-64-v3, x86-64-v4";
 #else
 constexpr std::string_view kUnits;
 #endif

@@ -9,6 +9,7 @@ std::vector<InstructionSet> sets_here() {
   std::vector<InstructionSet> sets{{"one lane", 1, correct_one_by_one, play_one_by_one, carry_one_by_one},
                                    {"any processor", 2, correct_on_any, play_on_any, carry_on_any}};
 #ifdef PLUMBLINE_X86_64_UNITS
+  if (has_x86_64_v2()) sets.push_back({"x86-64-v2", 2, correct_on_x86_64_v2, play_on_x86_64_v2, carry_on_x86_64_v2});
   if (has_x86_64_v3()) sets.push_back({"x86-64-v3", 4, correct_on_x86_64_v3, play_on_x86_64_v3, carry_on_x86_64_v3});
   if (has_x86_64_v4()) sets.push_back({"x86-64-v4", 8, correct_on_x86_64_v4, play_on_x86_64_v4, carry_on_x86_64_v4});
 #endif

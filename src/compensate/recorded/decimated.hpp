@@ -23,14 +23,19 @@ class Decimated {
   using Figures = std::array<double, kFigures>;
 
   /// Up to twice `stretches`; at least as many of a row that is longer than that. Of a row no longer than `whole`, or a
-  /// little more, all points are kept.
-  explicit Decimated(std::size_t stretches, std::size_t whole = 1)
-      : stretches_(std::max<std::size_t>(1, stretches)), whole_(std::bit_ceil(whole)) {}
+  /// little more, all points are kept. With a `play` the points kept come that near to the extremes of a stretch, as a
+  /// share of its range: fewer points have to be made.
+  explicit Decimated(std::size_t stretches, std::size_t whole = 1, double play = 0)
+      : stretches_(std::max<std::size_t>(1, stretches)), whole_(std::bit_ceil(whole)), play_(play) {}
 
   /// `make` makes the point, where it is kept for now.
   template <class Make>
   void add(const Figures& figures, Make&& make) {
-    add(std::span(&figures, 1), [&](std::size_t) { return make(); });
+    if (count_ > 0 && count_ % width_ == 0) begin_stretch();
+    const bool extreme = extremes_.take(figures, play_);
+    if (extreme || count_ % width_ == 0) kept_.push_back({count_, figures, make()});
+    ++count_;
+    if (kept_.size() - stretch_begin_ > kLoose) thin(stretch_begin_);
   }
   /// The same of points in a row, `make(i)` of the i-th of them: the more there are the fewer have to be made.
   template <class Make>
@@ -45,7 +50,7 @@ class Decimated {
 
   /// Of the whole row.
   std::uint64_t count() const { return count_; }
-  void clear() { *this = Decimated(stretches_, whole_); }
+  void clear() { *this = Decimated(stretches_, whole_, play_); }
   /// The points that are kept, in their order.
   std::vector<Point> take() {
     thin(stretch_begin_);
@@ -67,30 +72,46 @@ class Decimated {
   struct Extremes {
     Figures least = filled(std::numeric_limits<double>::infinity());
     Figures largest = filled(-std::numeric_limits<double>::infinity());
+    Figures beyond = filled(0);  // by so much more a new one has to be
 
     static Figures filled(double value) {
       Figures figures;
       figures.fill(value);
       return figures;
     }
+    /// Whether this is a new extreme of something.
+    bool take(const Figures& figures, double play) {
+      bool is_one = false;
+      for (std::size_t f = 0; f < kFigures; ++f) {
+        const bool below = figures[f] < least[f] - beyond[f];
+        const bool above = figures[f] > largest[f] + beyond[f];
+        if (!below && !above) continue;
+        if (below) least[f] = figures[f];
+        if (above) largest[f] = figures[f];
+        beyond[f] = play * (largest[f] - least[f]);
+        is_one = true;
+      }
+      return is_one;
+    }
     /// Marks those of a row that are new extremes of it all.
-    void take(std::span<const Figures> row, std::vector<char>& marks) {
+    void take(std::span<const Figures> row, double play, std::vector<char>& marks) {
       for (std::size_t f = 0; f < kFigures; ++f) {
         std::size_t low = row.size();
         std::size_t high = row.size();
         for (std::size_t i = 0; i < row.size(); ++i) {
           const double value = row[i][f];
-          if (value < least[f]) {
+          if (value < least[f] - beyond[f]) {
             least[f] = value;
             low = i;
           }
-          if (value > largest[f]) {
+          if (value > largest[f] + beyond[f]) {
             largest[f] = value;
             high = i;
           }
         }
         if (low < row.size()) marks[low] = 1;
         if (high < row.size()) marks[high] = 1;
+        if (low < row.size() || high < row.size()) beyond[f] = play * (largest[f] - least[f]);
       }
     }
   };
@@ -100,7 +121,7 @@ class Decimated {
   void take(std::span<const Figures> row, const Make& make) {
     marks_.assign(row.size(), 0);
     if (count_ % width_ == 0) marks_[0] = 1;
-    extremes_.take(row, marks_);
+    extremes_.take(row, play_, marks_);
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (marks_[i] != 0) kept_.push_back({count_ + i, row[i], make(i)});
     }
@@ -155,7 +176,8 @@ class Decimated {
   }
 
   std::size_t stretches_;
-  std::size_t whole_;        // a power of two
+  std::size_t whole_;  // a power of two
+  double play_;
   std::uint64_t width_ = 1;  // points of a stretch
   std::uint64_t count_ = 0;
   std::vector<Kept> kept_;

@@ -21,11 +21,11 @@ struct PathSample {
 };
 
 /// Takes the ways of all cuts and keeps points of them: of each stretch the first, and those where an axis is at an
-/// extreme. Memory does not grow with the program.
+/// extreme, or within a 64th of the stretch's range. Memory does not grow with the program.
 class PathSamples {
  public:
   /// At most some ten times as many points as `stretches`.
-  explicit PathSamples(std::size_t stretches = 24) : points_(stretches) {}
+  explicit PathSamples(std::size_t stretches = 24) : points_(stretches, 1, 1.0 / 64) {}
 
   void set_tool(const ToolInSpindle& tool) { tool_ = tool; }
   /// A move that cuts, at the ends of its pieces.

@@ -6,9 +6,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
+#include "compensate/exact/kernel_units.hpp"
 #include "machine/axis_words.hpp"
 #include "machine/condition.hpp"
 #include "machine/forward.hpp"
@@ -24,6 +27,7 @@ using compensate::exact::kSmall;
 using compensate::exact::kWithin;
 using compensate::exact::PoseBatch;
 using compensate::exact::Setup;
+namespace exact = compensate::exact;
 
 namespace {
 
@@ -293,6 +297,26 @@ TEST_CASE("every instruction set gives the same bits, whatever stands beside a p
       }
     }
   }
+}
+
+// Units kernel_any, kernel_x86_64_v2, kernel_x86_64_v3 and kernel_x86_64_v4.
+TEST_CASE("a processor is offered what every one runs, then each level that it has, the widest last") {
+  std::vector<std::string> names{"one lane", "any processor"};
+#ifdef PLUMBLINE_X86_64_UNITS
+  const bool has[] = {exact::has_x86_64_v2(), exact::has_x86_64_v3(), exact::has_x86_64_v4()};
+  for (int level = 2; level <= 4; ++level) {
+    if (has[level - 2]) names.push_back("x86-64-v" + std::to_string(level));
+    if (level > 2 && has[level - 2]) CHECK(has[level - 3]);
+  }
+#endif
+  std::vector<std::string> offered;
+  int lanes = 0;
+  for (const InstructionSet& set : exact::instruction_sets()) {
+    offered.emplace_back(set.name);
+    CHECK(set.lanes >= lanes);
+    lanes = set.lanes;
+  }
+  CHECK(offered == names);
 }
 
 TEST_CASE("a batch that is used again keeps nothing of what it held") {

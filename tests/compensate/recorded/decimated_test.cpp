@@ -112,3 +112,28 @@ TEST_CASE("points are made where they are kept alone") {
   }
   CHECK(made < 1000);
 }
+
+TEST_CASE("with a play of a sixteenth few points are made of a row that rises, its end missed by a sixteenth at most") {
+  constexpr double kPlay = 1.0 / 16;
+  Row row(1, 1, kPlay);
+  std::vector<std::size_t> made;
+  constexpr std::size_t kCount = 4096;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    // Up, and far out for one point.
+    const double figure = i == 3001 ? 9000 : static_cast<double>(i);
+    row.add({figure, -figure}, [&] {
+      made.push_back(i);
+      return i;
+    });
+  }
+  CHECK(made.size() < kCount / 8);
+  const std::vector<std::size_t> kept = row.take();
+  CHECK(std::count(kept.begin(), kept.end(), 3001) == 1);
+  Row rising(1, 1, kPlay);
+  for (std::size_t i = 0; i < kCount; ++i) rising.add({static_cast<double>(i), 0}, [&] { return i; });
+  const std::vector<std::size_t> of_rising = rising.take();
+  CHECK(of_rising.back() >= kCount - 1 - static_cast<std::size_t>(kPlay * kCount));
+  Row exact(1);
+  for (std::size_t i = 0; i < kCount; ++i) exact.add({static_cast<double>(i), 0}, [&] { return i; });
+  CHECK(exact.take().back() == kCount - 1);
+}
