@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/platform/platform.hpp"
+
 namespace plumbline {
 
 /// As long as one lives, the libraries take the machine to have so many processors; not two at a time. For tests of
@@ -31,7 +33,7 @@ class HeldProcessors {
 /// How many threads a library uses when nobody says otherwise.
 inline unsigned processors() {
   const unsigned held = HeldProcessors::held();
-  return held > 0 ? held : std::max(1U, std::thread::hardware_concurrency());
+  return held > 0 ? held : platform::processors();
 }
 
 /// Calls work(i) for each i below `count`, on up to `threads` threads, fewer where the system has no more, in no order.

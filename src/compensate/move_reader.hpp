@@ -129,6 +129,7 @@ class MoveReader {
   void divide(Move& move) const { compensate::divide(move, settings_.step); }
   /// As nc::ProgramAhead has it.
   std::uint64_t handed_over() const { return program_.handed_over(); }
+  std::size_t place() const { return program_.place(); }
   AxisSet writable(const nc::Step& step) const { return AxisSet::all() - fixed_axes(step, at_zero_); }
 
   /// For who leaves the program as it is: the next move, divided; those in machine coordinates, to

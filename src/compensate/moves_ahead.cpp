@@ -57,10 +57,11 @@ void MovesAhead::add(const nc::Step& step, PointsAhead& points) const {
   for (int i = 1; i <= move.pieces; ++i) points.targets.push_back(move.path.target(move.fraction(i), move.seconds));
 }
 
-void MovesAhead::come_to(const nc::Step& step, std::uint64_t handed_over) {
+void MovesAhead::come_to(const nc::Step& step, std::uint64_t handed_over, std::size_t place) {
   if (handed_over == 0) return;
   if (handed_over_ != handed_over) met_ = 0;
   handed_over_ = handed_over;
+  place_ = place;
   const std::vector<MoveAhead>& moves = points().moves;
   here_ = met_ < moves.size() && moves[met_].move.step == &step ? &moves[met_++] : nullptr;
 }

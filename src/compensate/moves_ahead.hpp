@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -25,12 +26,12 @@ class MovesAhead : public nc::StepsAhead {
   void look(const nc::KeptSteps& steps, std::size_t place) override;
 
   // For the thread that takes the steps
-  /// Each step when it is taken; `handed_over` as of nc::ProgramAhead.
-  void come_to(const nc::Step& step, std::uint64_t handed_over);
+  /// Each step when it is taken; `handed_over` and `place` as of nc::ProgramAhead.
+  void come_to(const nc::Step& step, std::uint64_t handed_over, std::size_t place);
   /// False where nothing is read ahead.
   bool looks() const { return handed_over_ > 0; }
   /// Points of the steps that were handed over together with the one that is come to.
-  const PointsAhead& points() const { return points_[(handed_over_ - 1) % kPlaces]; }
+  const PointsAhead& points() const { return points_[place_]; }
   /// The move of the step that is come to, where it was made with these axes at zero; else null.
   const MoveAhead* move_of(const nc::Step& step, AxisSet at_zero);
 
@@ -48,6 +49,7 @@ class MovesAhead : public nc::StepsAhead {
   std::atomic<AxisSet> at_zero_{};
   // Of the thread that takes the steps
   std::uint64_t handed_over_ = 0;
+  std::size_t place_ = 0;
   std::size_t met_ = 0;              // moves that were come to since then
   const MoveAhead* here_ = nullptr;  // of the step that is come to
 };

@@ -142,7 +142,7 @@ bool Pipeline::run(const Progress& progress) {
   bool values_alone = false;  // what changes is written unrolled
   while (const nc::Step* const step = reader_.next()) {
     stamps_.look_at(step->block->file);
-    ahead_.come_to(*step, reader_.handed_over());
+    ahead_.come_to(*step, reader_.handed_over(), reader_.place());
     tally_.take_block(*step);
     if (!values_alone && (reader_.jumped() || reader_.position_read()) && !steps_.unrolled()) {
       values_alone = true;

@@ -7,6 +7,9 @@
 #include <thread>
 
 #include <catch2/catch.hpp>
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 using namespace plumbline;
 
@@ -49,3 +52,19 @@ TEST_CASE("processors may be held at a number, for as long as that is asked for"
   }
   CHECK(processors() == all);
 }
+
+#ifdef __linux__
+TEST_CASE("a process that is bound to one processor has one") {
+  cpu_set_t before;
+  REQUIRE(sched_getaffinity(0, sizeof before, &before) == 0);
+  CHECK(processors() == static_cast<unsigned>(CPU_COUNT(&before)));
+  int first = 0;
+  while (!CPU_ISSET(first, &before)) ++first;
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(first, &one);
+  REQUIRE(sched_setaffinity(0, sizeof one, &one) == 0);
+  CHECK(processors() == 1);
+  REQUIRE(sched_setaffinity(0, sizeof before, &before) == 0);
+}
+#endif

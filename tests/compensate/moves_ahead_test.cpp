@@ -24,7 +24,7 @@ struct Looked {
     nc::Program program(opened.source, opened.dialect, opened.job.program);
     while (const nc::Step* const step = program.next()) REQUIRE(steps.add(*step, program, files));
     ahead.look(steps, 0);
-    ahead.come_to(steps[0].step, 1);
+    ahead.come_to(steps[0].step, 1, 0);
   }
   const PointsAhead& points() const { return ahead.points(); }
 
@@ -71,10 +71,10 @@ TEST_CASE("axes that are taken to stand at zero get no correction") {
   Looked looked("G21 G90 G94\nG1 X1 F100\nM2\n");
   REQUIRE(looked.points().targets.size() == 1);
   CHECK(looked.points().targets.front().fixed.empty());
-  looked.ahead.come_to(looked.steps[1].step, 1);
+  looked.ahead.come_to(looked.steps[1].step, 1, 0);
   CHECK(looked.ahead.move_of(looked.steps[1].step, AxisSet::rotary()) == nullptr);  // from now on they are
   looked.ahead.look(looked.steps, 1);
-  looked.ahead.come_to(looked.steps[0].step, 2);
+  looked.ahead.come_to(looked.steps[0].step, 2, 1);
   REQUIRE(looked.points().targets.size() == 1);
   CHECK(looked.points().targets.front().fixed == AxisSet::rotary());
 }
@@ -89,7 +89,7 @@ TEST_CASE("who comes to a step gets its move, divided, and where its points are;
   std::vector<Wanted> found;
   for (std::size_t i = 0; i < looked.steps.size(); ++i) {
     const nc::Step& step = looked.steps[i].step;
-    looked.ahead.come_to(step, 1);
+    looked.ahead.come_to(step, 1, 0);
     const compensate::MoveAhead* const ahead = looked.ahead.move_of(step, {});
     if (ahead == nullptr) continue;
     found.push_back({i, ahead->move.pieces, ahead->first});

@@ -122,6 +122,8 @@ inline constexpr int kStandardError = 2;
 /// The bytes of the three streams as they are, and none of them closed: the first file that is opened would take its
 /// place.
 void prepare_standard_streams();
+/// On how many processors this process may run, at least 1: those that it was bound to, where it was.
+unsigned processors();
 /// As the user wrote them.
 std::vector<std::string> arguments_of(int count, const char* const* arguments);
 /// Of an environment variable; nothing if it is not set.

@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <thread>
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
@@ -190,6 +193,16 @@ void prepare_standard_streams() {
     if (fcntl(stream, F_GETFD) != -1) continue;
     open("/dev/null", stream == kStandardError ? O_RDWR : stream == kStandardInput ? O_WRONLY : O_RDONLY);
   }
+}
+
+unsigned processors() {
+#ifdef __linux__
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+    return std::max(1U, static_cast<unsigned>(CPU_COUNT(&allowed)));
+  }
+#endif
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::vector<std::string> arguments_of(int count, const char* const* arguments) {

@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
 
 #include <fcntl.h>
 #include <io.h>
@@ -118,6 +122,15 @@ void prepare_standard_streams() {
   page_before = GetConsoleOutputCP();
   SetConsoleOutputCP(CP_UTF8);
   std::atexit(give_back_console);
+}
+
+unsigned processors() {
+  DWORD_PTR allowed = 0;
+  DWORD_PTR all = 0;
+  const bool told = GetProcessAffinityMask(GetCurrentProcess(), &allowed, &all) != 0;
+  // Zero: threads of several groups of 64.
+  if (told && allowed != 0) return static_cast<unsigned>(std::popcount(static_cast<std::uint64_t>(allowed)));
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 std::vector<std::string> arguments_of(int count, const char* const* arguments) {

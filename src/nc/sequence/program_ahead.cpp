@@ -20,8 +20,9 @@ constexpr std::size_t kHalf = kBatches / 2;
 // Batches go round between the two threads: those from taken to filled wait to be taken. When none is empty, the reader
 // waits until half of them are: to wake a thread costs as much as some dozens of blocks.
 struct ProgramAhead::Reader {
-  Reader(Program& program_, StepsAhead* looks_) : program(program_), looks(looks_), thread([this] { read(); }) {}
+  Reader(Program& program_, StepsAhead* looks_) : program(program_), looks(looks_) {}
   ~Reader() {
+    if (!thread.joinable()) return;
     {
       const std::lock_guard lock(mutex);
       stopped = true;
@@ -34,11 +35,17 @@ struct ProgramAhead::Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
+  void start() {
+    thread = std::thread([this] { read(); });
+  }
   void read();
   void fill(KeptSteps& batch);
   void look_at(KeptSteps& batch) const;
   KeptSteps* empty_batch();
+  void take_batch();
   const KeptSteps::Kept* next();
+  // Without a thread it is always the same one, whose memory the processor has at hand.
+  std::size_t place_of(std::size_t batch) const { return thread.joinable() ? batch % kBatches : 0; }
 
   Program& program;
   StepsAhead* looks;
@@ -51,13 +58,13 @@ struct ProgramAhead::Reader {
   bool stopped = false;
   bool holds = false;  // the batch that is taken from was filled
   std::size_t at = 0;  // of this, the next step
-  std::thread thread;  // the last: it begins when all else is there
+  std::thread thread;
 };
 
 KeptSteps* ProgramAhead::Reader::empty_batch() {
   std::unique_lock lock(mutex);
   if (filled - taken == kBatches) changed.wait(lock, [&] { return stopped || filled - taken <= kHalf; });
-  return stopped ? nullptr : &batches[filled % kBatches];
+  return stopped ? nullptr : &batches[place_of(filled)];
 }
 
 void ProgramAhead::Reader::fill(KeptSteps& batch) {
@@ -79,7 +86,7 @@ void ProgramAhead::Reader::fill(KeptSteps& batch) {
 void ProgramAhead::Reader::look_at(KeptSteps& batch) const {
   if (looks == nullptr) return;
   try {
-    looks->look(batch, filled % kBatches);
+    looks->look(batch, place_of(filled));
   } catch (...) {
     batch.end(std::current_exception());
   }
@@ -101,14 +108,22 @@ void ProgramAhead::Reader::read() {
   }
 }
 
+void ProgramAhead::Reader::take_batch() {
+  if (thread.joinable()) {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return filled > taken; });
+  } else {
+    fill(batches.front());
+    look_at(batches.front());
+    ++filled;
+  }
+  holds = true;
+}
+
 const KeptSteps::Kept* ProgramAhead::Reader::next() {
   while (true) {
-    if (!holds) {
-      std::unique_lock lock(mutex);
-      changed.wait(lock, [&] { return filled > taken; });
-      holds = true;
-    }
-    const KeptSteps& batch = batches[taken % kBatches];
+    if (!holds) take_batch();
+    const KeptSteps& batch = batches[place_of(taken)];
     if (at < batch.size()) return &batch[at++];
     if (batch.refusal()) std::rethrow_exception(batch.refusal());
     if (batch.is_last()) return nullptr;
@@ -125,11 +140,13 @@ const KeptSteps::Kept* ProgramAhead::Reader::next() {
 
 ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings, StepsAhead* looks)
     : program_(file, dialect, std::move(settings)) {
-  if (processors() == 1) return;
+  const bool alone = processors() == 1;
+  if (alone && looks == nullptr) return;
+  reader_ = std::make_unique<Reader>(program_, looks);
+  if (alone) return;
   try {
-    reader_ = std::make_unique<Reader>(program_, looks);
-  } catch (const std::system_error&) {
-    reader_ = nullptr;  // no thread to be had
+    reader_->start();
+  } catch (const std::system_error&) {  // no thread to be had
   }
 }
 
@@ -137,6 +154,7 @@ ProgramAhead::~ProgramAhead() = default;
 
 // Only the thread that takes them counts those that were taken.
 std::uint64_t ProgramAhead::handed_over() const { return reader_ ? reader_->taken + 1 : 0; }
+std::size_t ProgramAhead::place() const { return reader_ ? reader_->place_of(reader_->taken) : 0; }
 
 const Step* ProgramAhead::next_in_place() {
   const Step* const step = program_.next();

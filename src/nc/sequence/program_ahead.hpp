@@ -1,6 +1,7 @@
 // The steps of a program, executed on a thread of its own ahead of who takes them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace plumbline::nc {
 
-/// Prepares work for steps that were read ahead, on the thread that reads them.
+/// Prepares work for steps that were read ahead, where they are read.
 class StepsAhead {
  public:
   static constexpr std::size_t kPlaces = 8;
@@ -23,10 +24,10 @@ class StepsAhead {
 
 /// Gives what Program gives, in the same order; what it refuses is refused when the steps before it were taken. Reads
 /// a few hundred blocks ahead, so that memory does not grow with the program. Where there is one processor, or no
-/// thread to be had, it reads when it is asked.
+/// thread to be had, it reads when it is asked: some dozens at a time for one who looks, else one.
 class ProgramAhead {
  public:
-  /// As of Program; `looks`, if not null, must outlive it, and is not called where nothing is read ahead.
+  /// As of Program; `looks`, if not null, must outlive it.
   ProgramAhead(const InputFile& file, const Dialect& dialect, ProgramSettings settings, StepsAhead* looks = nullptr);
   ~ProgramAhead();
   ProgramAhead(ProgramAhead&&) = delete;
@@ -36,9 +37,10 @@ class ProgramAhead {
 
   /// As Program::next(); the step holds until the next call.
   const Step* next();
-  /// How many times steps were handed over so far, of which the last step is one; 0 where nothing is read ahead. They
-  /// were looked at in the place of this number less one, modulo StepsAhead::kPlaces.
+  /// How many times steps were handed over so far, of which the last step is one; 0 where nothing is read ahead.
   std::uint64_t handed_over() const;
+  /// Where these were looked at.
+  std::size_t place() const;
   /// Of the last step, as Program has them.
   bool jumped() const { return jumped_; }
   bool position_read() const { return position_read_; }
@@ -50,7 +52,7 @@ class ProgramAhead {
   Program program_;
   bool jumped_ = false;
   bool position_read_ = false;
-  std::unique_ptr<Reader> reader_;  // null: no thread reads ahead
+  std::unique_ptr<Reader> reader_;  // null: nothing is read ahead
 };
 
 }  // namespace plumbline::nc

@@ -133,22 +133,25 @@ TEST_CASE("steps that are read ahead can be looked at before they are taken") {
   for (int i = 0; i < 3000; ++i) text += fmt::format("G1 X{}\n", i);
   const ProgramFile program(text);
   const InputFile file(program.path());
-  Looks looks;
-  ProgramAhead ahead(file, dialect("linuxcnc"), at_zero(), &looks);
-  std::uint64_t handed_over = 0;
-  std::size_t at = 0;
-  std::size_t seen = 0;
-  while (const Step* const step = ahead.next()) {
-    at = ahead.handed_over() == handed_over ? at + 1 : 0;
-    handed_over = ahead.handed_over();
-    if (handed_over == 0) continue;
-    const std::vector<std::string>& here = looks.places[(handed_over - 1) % StepsAhead::kPlaces];
-    REQUIRE(at < here.size());
-    CHECK(text_of(*step) == here[at]);
-    ++seen;
+  for (const unsigned processors : {1U, 2U}) {
+    INFO(processors << " processors");
+    const HeldProcessors held(processors);
+    Looks looks;
+    ProgramAhead ahead(file, dialect("linuxcnc"), at_zero(), &looks);
+    std::uint64_t handed_over = 0;
+    std::size_t at = 0;
+    std::size_t seen = 0;
+    while (const Step* const step = ahead.next()) {
+      at = ahead.handed_over() == handed_over ? at + 1 : 0;
+      handed_over = ahead.handed_over();
+      const std::vector<std::string>& here = looks.places[ahead.place()];
+      REQUIRE(at < here.size());
+      CHECK(text_of(*step) == here[at]);
+      ++seen;
+    }
+    CHECK(seen == 3001);
+    CHECK(handed_over > StepsAhead::kPlaces);
   }
-  CHECK(seen == (processors() == 1 ? 0 : 3001));
-  CHECK((processors() == 1 || handed_over > StepsAhead::kPlaces));
 }
 
 TEST_CASE("what goes wrong while steps are looked at comes after the steps before them") {
@@ -158,11 +161,14 @@ TEST_CASE("what goes wrong while steps are looked at comes after the steps befor
   const ProgramFile program("G21 G90 G94 G0 X0\nG0 X1\n");
   const InputFile file(program.path());
   Fails fails;
-  ProgramAhead ahead(file, dialect("linuxcnc"), at_zero(), &fails);
-  if (processors() == 1) return;
-  CHECK(ahead.next() != nullptr);
-  CHECK(ahead.next() != nullptr);
-  CHECK_THROWS_WITH(ahead.next(), "no room");
+  for (const unsigned processors : {1U, 2U}) {
+    INFO(processors << " processors");
+    const HeldProcessors held(processors);
+    ProgramAhead ahead(file, dialect("linuxcnc"), at_zero(), &fails);
+    CHECK(ahead.next() != nullptr);
+    CHECK(ahead.next() != nullptr);
+    CHECK_THROWS_WITH(ahead.next(), "no room");
+  }
 }
 
 TEST_CASE("a program that is read ahead may be left at any step") {
