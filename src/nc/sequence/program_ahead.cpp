@@ -35,8 +35,14 @@ struct ProgramAhead::Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
+  // The thread may run before it has come to its name here.
   void start() {
-    thread = std::thread([this] { read(); });
+    threaded = true;
+    try {
+      thread = std::thread([this] { read(); });
+    } catch (const std::system_error&) {  // no thread to be had
+      threaded = false;
+    }
   }
   void read();
   void fill(KeptSteps& batch);
@@ -45,7 +51,7 @@ struct ProgramAhead::Reader {
   void take_batch();
   const KeptSteps::Kept* next();
   // Without a thread it is always the same one, whose memory the processor has at hand.
-  std::size_t place_of(std::size_t batch) const { return thread.joinable() ? batch % kBatches : 0; }
+  std::size_t place_of(std::size_t batch) const { return threaded ? batch % kBatches : 0; }
 
   Program& program;
   StepsAhead* looks;
@@ -56,6 +62,7 @@ struct ProgramAhead::Reader {
   std::condition_variable changed;
   std::size_t filled = 0, taken = 0;  // batches so far
   bool stopped = false;
+  bool threaded = false;
   bool holds = false;  // the batch that is taken from was filled
   std::size_t at = 0;  // of this, the next step
   std::thread thread;
@@ -109,7 +116,7 @@ void ProgramAhead::Reader::read() {
 }
 
 void ProgramAhead::Reader::take_batch() {
-  if (thread.joinable()) {
+  if (threaded) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [&] { return filled > taken; });
   } else {
@@ -143,11 +150,7 @@ ProgramAhead::ProgramAhead(const InputFile& file, const Dialect& dialect, Progra
   const bool alone = processors() == 1;
   if (alone && looks == nullptr) return;
   reader_ = std::make_unique<Reader>(program_, looks);
-  if (alone) return;
-  try {
-    reader_->start();
-  } catch (const std::system_error&) {  // no thread to be had
-  }
+  if (!alone) reader_->start();
 }
 
 ProgramAhead::~ProgramAhead() = default;
