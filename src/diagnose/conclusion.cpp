@@ -7,12 +7,16 @@
 #include "diagnose/held_values.hpp"
 #include "diagnose/unexplained.hpp"
 #include "diagnose/verdict.hpp"
+#include "measure/simulation.hpp"
+#include "physics/error.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using identify::RunEquations;
 using measure::Run;
+
+constexpr std::size_t kPlacesOfRun = 24;  // at which the tip is looked at
 
 // What would separate the strongest effect from the others of the confidence set: rivals, refitted in its place.
 std::vector<Separation> separations_of(const Workbench& bench, const Model& model, const Conclusion& conclusion,
@@ -57,6 +61,24 @@ void hold_back(const Case& of, const Model& model, const DiagnoseOptions& option
   say(shift_text(held));
   conclusion.forces = bench.candidates.unknowns.at(held.values);
   conclusion.residuals.after = residuals(bench.machine, of.runs, conclusion.forces, model.noise);
+}
+
+// How far the model as it was given and this one put the tip apart, on the ways that were measured, m.
+double farthest_move(const Case& of, const physics::ForceModel& forces) {
+  const auto tip = [&](const physics::ForceModel& model, const Run& run, std::size_t i) -> Vector3<double> {
+    physics::Environment environment = measure::environment_of(model, run);
+    environment.friction = false;
+    return physics::tip_error(model, environment, measure::circular_motion(of.bench.machine.rotation, run, i))
+        .pose.p_WT;
+  };
+  double farthest = 0;
+  for (const Run& run : of.runs) {
+    const std::size_t step = std::max<std::size_t>(1, run.samples() / kPlacesOfRun);
+    for (std::size_t i = 0; i < run.samples(); i += step) {
+      farthest = std::max(farthest, (tip(forces, run, i) - tip(of.bench.forces, run, i)).norm());
+    }
+  }
+  return farthest;
 }
 
 // The base model: no effect of the catalogue is believed.
@@ -108,6 +130,8 @@ std::optional<Objection> objection_to(const Conclusion& conclusion, const Case& 
   if (auto off = strained(candidates, conclusion.marginalised, options); !off.empty()) return off;
   const double together = strain_of_all(candidates, conclusion.marginalised);
   if (together > options.nuisances_together) return StrainedTogether{together};
+  const double tip = farthest_move(of, conclusion.forces);
+  if (tip > options.farthest_tip) return MovedFar{tip};
   const Rms before = rms_of(of.given, of.out, true);
   const Rms after = rms_of(conclusion.residuals.after, of.out, true);
   if (before.radial && *after.radial > *before.radial) return GivenIsNearer{ReadingKind::radial};

@@ -82,6 +82,11 @@ struct GivenIsNearer {
   ReadingKind kind = ReadingKind::radial;
 };
 
+/// The tip would be moved further than any effect of a machine does.
+struct MovedFar {
+  double tip = 0;  // m, on the way of some run
+};
+
 /// Readings of the bar that are so many times too large in all runs explain more than effects that were found.
 struct BarGain {
   double factor = 1;
@@ -102,7 +107,7 @@ struct Doubt {
 };
 
 /// Why nothing that was learnt is to be believed, be it named or not.
-using Objection = std::variant<ChannelFlaw, SpoiledData, std::vector<StrainedUnknown>, StrainedTogether, GivenIsNearer,
-                               OpenGap, identify::LessSure>;
+using Objection = std::variant<ChannelFlaw, SpoiledData, std::vector<StrainedUnknown>, StrainedTogether, MovedFar,
+                               GivenIsNearer, OpenGap, identify::LessSure>;
 
 }  // namespace plumbline::diagnose

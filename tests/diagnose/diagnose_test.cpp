@@ -99,6 +99,16 @@ TEST_CASE("what no catalogue has is learnt where poses left out confirm it, and 
   }
 }
 
+// No key of one run is refuted by the others where all have the same fault.
+TEST_CASE("with bar_mm wrong in all runs no model is given that moves the tip by millimetres") {
+  const machine::MachineModel machine = machine::read_model(kBlind + "open-08/base.toml");
+  measure::Dataset data = measure::read_dataset(kBlind + "open-08/data/dataset.toml");
+  for (measure::Run& run : data.runs) run.bar = run.bar.value() + 10e-3;
+  const Diagnosis d = diagnose(machine, data.runs);
+  REQUIRE(d.withheld);
+  CHECK(d.functions.empty());
+}
+
 TEST_CASE("a diagnosis is the same each time") {
   DiagnoseOptions options;
   options.search.threshold.draws = 2000;

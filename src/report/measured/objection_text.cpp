@@ -95,6 +95,13 @@ std::string text_of(const diagnose::StrainedTogether& strained) {
       strained.sigmas);
 }
 
+std::string text_of(const diagnose::MovedFar& moved) {
+  return fmt::format(
+      "it would move the tip by {:.3g} mm where it was measured, further than an effect of a machine does: check "
+      "radius_mm and bar_mm of the runs, the unit of the readings, and whether the instrument smoothed them",
+      moved.tip / kMm);
+}
+
 std::string text_of(const diagnose::GivenIsNearer& nearer) {
   return fmt::format("the model as given is nearer to {} held out", words_of(nearer.kind).of_runs);
 }

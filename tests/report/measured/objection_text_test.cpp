@@ -121,6 +121,7 @@ TEST_CASE("what speaks against a diagnosis is said with its numbers and what to 
         "backlash width_um strut 1 is 16 um off, 8 times what [uncertainty] says of it\n"
         "backlash width_um strut 1 is -14 um off, 7 times what [uncertainty] says of it");
   CHECK(report::objection_text(diagnose::StrainedTogether{6.7}).find("by 7 of its standard") != std::string::npos);
+  CHECK(report::objection_text(diagnose::MovedFar{0.042}).starts_with("it would move the tip by 42 mm"));
   CHECK(report::objection_text(diagnose::GivenIsNearer{ReadingKind::radial}) ==
         "the model as given is nearer to the bar's readings held out");
   CHECK(report::objection_text(diagnose::OpenGap{{ReadingKind::torque, 0.25, 0.125}}) ==
