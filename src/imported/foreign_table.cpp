@@ -124,6 +124,7 @@ class ForeignReader {
   void find_columns(const std::vector<Field>& header) {
     std::vector<std::string_view> names;
     for (const Field& field : header) names.push_back(field.text);
+    header_width_ = names.size();
     for (const ColumnSource& column : source_.columns) {
       if (column.number > 0) {
         table_.numbers.push_back(column.number);
@@ -153,9 +154,21 @@ class ForeignReader {
            place(1, line_.size()));
   }
 
+  // A decimal comma in a file that commas divide makes two fields of a number, and moves those behind it.
+  void check_surplus(const std::vector<Field>& fields) const {
+    if (header_width_ == 0 || fields.size() <= header_width_) return;
+    const auto surplus = fields.begin() + static_cast<std::ptrdiff_t>(header_width_);
+    if (std::all_of(surplus, fields.end(), [](const Field& field) { return field.text.empty(); })) return;
+    refuse("import-columns",
+           fmt::format("line {} has {} columns, and the header has {}", number_, fields.size(), header_width_),
+           "is a decimal comma taken for a delimiter? Notes behind the last column need a name in the header",
+           place(1, line_.size()));
+  }
+
   void read_row() {
     const std::vector<Field> fields = fields_of(line_, form_.delimiter);
     table_.width = std::max(table_.width, fields.size());
+    check_surplus(fields);
     for (std::size_t c = 0; c < source_.columns.size(); ++c) {
       if (table_.numbers[c] > fields.size()) {
         refuse("import-columns",
@@ -198,6 +211,7 @@ class ForeignReader {
   std::string text_;
   std::string_view line_;
   std::size_t number_ = 0;
+  std::size_t header_width_ = 0;  // 0: there is none
 };
 
 }  // namespace
