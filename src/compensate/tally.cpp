@@ -97,6 +97,8 @@ void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written)
   }
   const bool stops = dialect_.behaviour.starts_with_stops && !move.step->after->path_stated;
   if (stops && written.pieces.size() > 1 && !may_stop_) may_stop_ = place_of(*move.step);
+  const bool unstated = dialect_.behaviour.length_set_at_start && !move.step->after->length_stated;
+  if (unstated && !length_unstated_) length_unstated_ = place_of(*move.step);
   if (!move.seconds && !goes_nowhere(move.path.curve)) ++summary_.untimed_moves;
   if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, at);
   note_written(written, move.seconds, at);
@@ -235,6 +237,13 @@ Summary Tally::summary() {
          "table, "
          "from the gauge point to the tip, and the work offset that goes with them",
          negative_length_->second, Severity::warning});
+  }
+  if (length_unstated_) {
+    summary.warnings.push_back(
+        {"compensate-length-unstated",
+         "the program does not say which tool length is in force here, and none is taken: which one the control begins "
+         "with is set in the machine",
+         "write G53 for none, or G56 H and its number, before the first cut", *length_unstated_, Severity::warning});
   }
   if (may_stop_) {
     summary.warnings.push_back(

@@ -61,10 +61,11 @@ class Tally {
   const Settings& settings_;
   const Corrector& corrector_;
   Summary summary_;
-  bool ended_ = false;                   // the last thing that was executed ends a program
-  std::size_t last_line_ = 0;            // that holds a word
-  std::optional<Place> may_stop_;        // a block that became several, where the program states no path mode
-  std::map<int, Place> massless_tools_;  // and where each came into the spindle
+  bool ended_ = false;                    // the last thing that was executed ends a program
+  std::size_t last_line_ = 0;             // that holds a word
+  std::optional<Place> length_unstated_;  // a cut before the program says which tool length is in force
+  std::optional<Place> may_stop_;         // a block that became several, where the program states no path mode
+  std::map<int, Place> massless_tools_;   // and where each came into the spindle
   std::optional<std::pair<double, Place>> negative_length_;  // the first that moves were made with
   std::vector<AxisWords> ends_;                              // corrections of ends of moves, of which is not yet known
   std::vector<Target> beside_;                               // how they change: in X, Y and Z of each

@@ -39,6 +39,22 @@ TEST_CASE("what stands behind the main program of an archive that is written out
             .text.ends_with("M30\n" + kSubOfArchive));
 }
 
+TEST_CASE("programs of an archive whose names have no _N_ are told apart as those that have it") {
+  const Job job = job_of_control("siemens");
+  const auto both = [&](const std::string& main, const std::string& first, const std::string& second) {
+    const std::string begin = "\nG54 G17 G71 G90 G94 G64\nG0 X0 Y0 Z5 A0 B0 C0\n";
+    return code_of(first + (main == first ? begin : "\n") + "G1 X3 F200\nM30\n" + second +
+                       (main == second ? begin : "\n") + "G1 X6 F200\nM30\n",
+                   job);
+  };
+  for (const std::string prefix : {"%_N_", "%"}) {
+    INFO(prefix);
+    CHECK(both(prefix + "MAIN_MPF", prefix + "MAIN_MPF", prefix + "TWO_MPF") != "");
+    CHECK(both(prefix + "MAIN_MPF", prefix + "SUB_SPF", prefix + "MAIN_MPF") != "");
+    CHECK(both(prefix + "MAIN_MPF", prefix + "MAIN_MPF", prefix + "SUB_SPF") == "");
+  }
+}
+
 TEST_CASE("a second main program that the first one calls is not left as it is behind it") {
   const Job job = job_of_control("siemens");
   const std::string other = "%_N_TWO_MPF\nG1 X3 F200\nM17\n";

@@ -116,6 +116,8 @@ TEST_CASE("a hole of an OSP that stays a cycle states its words anew behind a bl
   states("G83 NCYL X0 Y0 Z-20. R5. I3. J9. F100\nX10.\n", {"\nG83 X", " I3. J9."});
   states("G73 NCYL X0 Y0 Z-20. R5. Q4. P300 F100\nX10.\n", {"\nG73 X", " P300 Q4."});
   states("G85 NCYL X0 Y0 Z-20. R5. F100 FA=250\nX10.\n", {"\nG85 X", " FA=250."});
+  states("G73 NCYL X0 Y0 Z-20. R5. Q4. P0.4 F100\nX10.\n", {"\nG73 X", " P0.4 Q4."});
+  states("G73 NCYL X0 Y0 Z-20. R5. Q4. P1. F100\nX10.\n", {"\nG73 X", " P1. Q4."});
   states("G82 NCYL X0 Y0 Z-8. R5. F100 P200\nX10. P400\n", {"\nG82 X", " P400"});
   states("G81 X0 Y0 Z-8. R3. F120\nX10. P500\nX20.\n", {"\nG81 X", " P500", "\nX"});
   states("G74 X0 Y0 Z-8. R5. F400\nX10.\nG85 NCYL Z-9. R4. P100 F90 FA=80\nX20.\n",

@@ -1,6 +1,7 @@
 // Programs of an OSP that are written out: their labels, the F of arcs, and F between holes.
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -86,4 +87,18 @@ TEST_CASE("the number of a home position is written out without a point") {
     INFO(text);
     CHECK(text.find("HP=4\n") != std::string::npos);
   }
+}
+
+TEST_CASE("OSP: a cut before the program says which tool length is in force is warned of") {
+  const Job job = job_of_control("okuma");
+  const auto warns = [&](const std::string& text) {
+    const std::vector<Diagnostic>& warnings = run(text, job).summary.warnings;
+    return std::count_if(warnings.begin(), warnings.end(),
+                         [](const Diagnostic& warning) { return warning.code == "compensate-length-unstated"; });
+  };
+  const std::string start = "G15 H1\nG90 G94 G0 X0 Y0 Z50. A0 B0 C0\n";
+  CHECK(warns(start + "G1 X5. F100\nX6.\nM2\n") == 1);
+  CHECK(warns(start + "G1 X5. F100\nG53\nG0 Z50.\nG1 X6.\nM2\n") == 1);
+  CHECK(warns("G53\n" + start + "G1 X5. F100\nM2\n") == 0);
+  CHECK(warns(start + "G0 X5.\nM2\n") == 0);
 }

@@ -84,7 +84,7 @@ TEST_CASE("a dwell in the block of a move waits once, and the move is corrected"
   job.settings.friction = false;
   const std::string head = "G21 G90 G17 F600 S500 M3\nG0 X10 Y0 Z10 A0 B0 C0\nG1 X2\n";
   for (const char* const block : {"G4 P1 X5", "X5 G4 P1 A1", "G4 P1 G0 X5", "G4 P1 @5 ^3", "G3 I0.5\nI1 G4 P1",
-                                  "G4 P1 G5.1 X5 Y5 I1 J1", "G4 P1 G82 X5 Z-3 R2"}) {
+                                  "G4 P1 G5.1 X5 Y5 I1 J1", "G61\nG4 P1 G82 X5 Z-3 R2"}) {
     const std::string text = head + block + "\nG80\nM2\n";
     INFO(text);
     const Result result = run(text, job);
@@ -93,7 +93,7 @@ TEST_CASE("a dwell in the block of a move waits once, and the move is corrected"
     CHECK(played.at_points_um <= 0.15);
     CHECK(dwells_of(result.text, job) == dwells_of(text, job));
   }
-  const std::string tapped = head + "G4 P1 G84 X5 Z-3 R2\nG80\nM2\n";
+  const std::string tapped = head + "G61\nG4 P1 G84 X5 Z-3 R2\nG80\nM2\n";
   CHECK(dwells_of(run(tapped, job).text, job) == dwells_of(tapped, job));
   // Behind an arc that was divided, the words of the next one need its code again.
   const std::string arcs = head + "G3 I-2\nG4 P2 X-2 I-2\nG1 X0\nM2\n";

@@ -48,7 +48,7 @@ TEST_CASE("unrolled, values stand in place of parameters, and lines that set the
 }
 
 TEST_CASE("a cycle is its moves, one by one") {
-  const Opened opened("G21 G90 G94 G98\nG0 X0 Y0 Z20 A0 B0 C0\nG81 X10 Y5 Z-12 R2 F100\nM2\n");
+  const Opened opened("G21 G90 G94 G98 G61\nG0 X0 Y0 Z20 A0 B0 C0\nG81 X10 Y5 Z-12 R2 F100\nM2\n");
   compensate::MoveReader reader = reader_of(opened);
   compensate::WrittenSteps steps(opened.dialect, opened.job.emit, nc::Form::in_text_order);
   const nc::Step* step = reader.next();

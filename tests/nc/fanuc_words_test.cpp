@@ -115,3 +115,33 @@ TEST_CASE("messages of Fanuc's words name what is odd") {
     CHECK(refused.message.rfind(said, 0) == 0);
   }
 }
+
+TEST_CASE("G80 ends a cycle in the block of G53 as well") {
+  const std::string holes = "G0 X0 Y0\nG98 G81 X1. Y1. Z-4. R2. F100.\nX2.\n";
+  for (const std::string end : {"G80 G53 Z-1.", "G53 G80 Z-1.", "G80 G49 G53 Z-1.", "G80 G53 G90 Z-1. M5"}) {
+    INFO(end);
+    const std::vector<Motion> motions = motions_behind(holes + end + "\nX5. Y5.\nM30\n");
+    REQUIRE(motions.size() > 2);
+    CHECK(motions.back().kind == MotionKind::rapid);
+    CHECK(motions.back().to[Axis::X] == 5);
+    CHECK(motions[motions.size() - 2].in_machine_coordinates);
+  }
+  CHECK(code_behind("G1 X1. F100.\nG81 X2. Y0 Z-5. R2.\nG80 G53 Z-1.\nX5.\nM30\n") == "nc-axes-unused");
+}
+
+TEST_CASE("G80 ends nothing where no cycle is in force") {
+  for (const std::string off : {"G80 G40 G49", "G80", "G80 G90"}) {
+    INFO(off);
+    const std::vector<Motion> motions = motions_behind("G1 X.5 F100.\n" + off + "\nX.7\nM30\n");
+    REQUIRE(!motions.empty());
+    CHECK(motions.back().kind == MotionKind::feed);
+    CHECK(motions.back().to[Axis::X] == Approx(0.7));
+  }
+  CHECK(code_behind("G1 X1. F100.\nG81 X2. Y0 Z-5. R2.\nG80\nX3.\nM30\n") == "nc-axes-unused");
+}
+
+TEST_CASE("a fixture offset that is cancelled is none") {
+  CHECK(code_behind("G54.2 P0\nG0 X1.\nM30\n").empty());
+  CHECK(code_behind("G54.2 P1\nG0 X1.\nM30\n") == "nc-not-interpreted");
+  CHECK(code_behind("G54.2\nG0 X1.\nM30\n") == "nc-word-missing");
+}

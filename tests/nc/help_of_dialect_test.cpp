@@ -59,7 +59,6 @@ TEST_CASE("parameters, levels and counts of another control are not named") {
          {"linuxcnc", "G0 X[1,2]\nM2\n", "stands one of ** * /", ""},
          {"okuma", "G15 H1\nG18 G0 X0 Y50 Z0\nG71 Y50\nG81 X9 Y-5 R2 F9 M53\nM2\n", "G18 and G19", "5101"},
          {"fanuc", "O1\nG54 G18 G0 X0 Y50. Z0\nG81 X9. Y-5. R2. F9.\nM30\n", "5101", ""},
-         {"okuma", "G15 H1\nG0 X0 Y0 Z50\nG71 Z50\nG82 X9 Z-5 R2 P0.5 F9 M53\nM2\n", "whole milliseconds", "G4"},
          {"fanuc", "O1\nG4 P0.5\nM30\n", "X and seconds", ""},
          {"fanuc", "O1\n#5221=5.\nM30\n", "G92", "G28.1"},
          {"fanuc", "O1\n#2001=5.\nM30\n", "#100 to #199", "G10 L1,"},

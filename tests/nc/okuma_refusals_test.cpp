@@ -126,3 +126,17 @@ TEST_CASE("OSP: G116 selects T and is M6, for --keeps-position as well") {
   settings.keeps_position = {6};
   CHECK(code_of(text, settings, "okuma").empty());
 }
+
+TEST_CASE("OSP: codes of the manual's tables that are not read are not taken for slips") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z0\n";
+  for (const std::string block : {"G68 X1 Y1\n", "G69\n", "G173 X1\n", "G187\n", "G189 H1\n", "G196\n", "G14\n",
+                                  "DGRDX X1 Y1 I1 J1 K1 P1\n", "ARC X1 Y1 I1 J1 K1\n", "COPY Q4 P90\n", "CHFR 5\n"}) {
+    INFO(block);
+    const std::optional<Diagnostic> found = refusal_of(begin + block + "M2\n", empty_tables(), "okuma");
+    REQUIRE(found);
+    CHECK(found->message.find("no G code") == std::string::npos);
+    CHECK(found->message.find("no word of this control") == std::string::npos);
+  }
+  for (const std::string block : {"G43\n", "G50\n", "NMSG\n", "MSG (DOOR)\n"})
+    check_osp({{(begin + block + "M2\n").c_str(), 0, 0}});
+}

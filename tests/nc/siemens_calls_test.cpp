@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "nc/programs.hpp"
+#include "nc/siemens_cases.hpp"
 
 using namespace plumbline;
 using namespace plumbline::nc;
@@ -229,4 +230,14 @@ TEST_CASE("words of calls and conditions that are not read name a way out") {
   check_said("G54 G0 X0 F[X]=100\nM30\n", {"F[..]"}, "a value is missing");
   check_said("G54 G0 X0\nNOWHERE\nM30\n", {"NOWHERE.SPF", "a word of the control"});
   check_said("G54 G0 X0\nNOWHERE=5\nM30\n", {"DEF REAL NOWHERE", "a word of the control"});
+}
+
+TEST_CASE("a program of an archive begins with its name behind %, with _N_ or without") {
+  const auto x_at_end = [](const std::vector<Motion>& motions) {
+    return fmt::format("X{:g}", motions.empty() ? 0 : motions.back().to[Axis::X]);
+  };
+  const std::string start = "G54 G17 G90 G94 G710\nG0 X0 Y0 Z50 A0 B0 C0\nF100\n";
+  check_siemens(start, x_at_end, "X3",
+                {"SUB1\nM30\n%_N_SUB1_SPF\nG1 X3\nM17\n", "SUB1\nM30\n%SUB1_SPF\nG1 X3\nM17\n",
+                 "Sub1\nM30\n% sub1_spf\nG1 X3\nM17\n%OTHER_SPF\nG1 X9\nM17\n", "G1 X3\nM30\n%\n"});
 }

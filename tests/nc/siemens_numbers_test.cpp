@@ -81,3 +81,21 @@ TEST_CASE("values behind addresses are of all but N, G and L") {
   check_numbers("nc-assignment", {"R1=2\nG=R1-1 X5\n", "G=1 X5\n", "N=5 X5\n", "L=R1\n", "G = 54\n"});
   check_numbers("X5", {"R1=5\nX=R1\n", "G1 X=5 F=R2+100 S=500\n", "D=R1 G0 X5\n"});
 }
+
+TEST_CASE("numbers that differ by less than 1e-12 of them compare as the same") {
+  check_numbers("X3", {"R1=0\nWHILE R1<=0.3\nX=R1*10\nR1=R1+0.1\nENDWHILE\n", "R1=0.3\nIF R1>=0.1+0.2\nX3\nENDIF\n",
+                       "R1=9000.1+0.2\nIF R1==9000.3\nX3\nENDIF\n", "IF 0.1+0.2<>0.3\nX9\nELSE\nX3\nENDIF\n",
+                       "R1=0\nREPEAT\nR1=R1+0.1\nX=R1/0.8*3\nUNTIL R1>=0.8\n", "IF 0.1+0.3>0.3\nX3\nENDIF\n",
+                       "IF 0.1+0.2<0.300001\nX3\nENDIF\n", "R1=5-5\nIF R1==0\nX3\nENDIF\n",
+                       "IF 0.00000001==0\nX9\nELSE\nX3\nENDIF\n"});
+  check_numbers("nc-not-interpreted", {"R1=61.01 R2=61.02 R3=0.01\nIF ABS(R2-R1)>R3 GOTOF AA\nX1\nAA: X2\n",
+                                       "IF 0.1+0.2>0.3\nX1\nENDIF\n", "R1=0.1+0.2-0.3\nIF R1==0\nX1\nENDIF\n",
+                                       "R1=0.1+0.2-0.3\nIF R1>0\nX1\nENDIF\n", "IF 1.000000000001==1\nX1\nENDIF\n"});
+}
+
+TEST_CASE("an INT has 32 bits, and a level of block skip one digit") {
+  check_numbers("nc-out-of-range", {"DEF INT II=3000000000\n", "DEF INT II=2147483647\nII=II+1\n",
+                                    "DEF INT II\nR1=-70000\nII=R1*R1*R1\n"});
+  check_numbers("X3", {"DEF INT II=2147483647\nX3\n", "DEF REAL RR=3000000000\nX=RR/1000000000\n"});
+  check_numbers("nc-not-interpreted", {"/10 G1 X3\n", "/12\n"});
+}

@@ -249,3 +249,8 @@ TEST_CASE("words whose reason is told") {
   check_all("", {"CIP X10 Y10 I1=10 J1=0\nG1 X50 Y20\n", "CIP X10 Y10 I1=10 J1=0\nG0 Z50\nX3\n", "X5 M25 M26\n",
                  "M25 M26\n", "G1 X20 M=8\n", "M=3 S=500 X5\n", "M=9\n", "M111 M112 M113\n"});
 }
+
+TEST_CASE("an arc that ends a hundredth off its circle is refused: where the control goes there is not known") {
+  check_all("nc-arc-radius", {"G2 X5 Y5.025 I5 J0\n", "G2 X10 Y0.5 I5 J0\n", "G2 X100 Y100.09 I100 J0\n"});
+  check_all("", {"G2 X5 Y5.002 I5 J0\n", "G2 X7.071 Y2.929 I0 J10\n", "G2 X100 Y100.001 I100 J0\n"});
+}

@@ -272,6 +272,11 @@ void Intention::check_all_said() const {
       return move.motion.kind == motion.kind && largest(move.motion.to, motion.to, motion.known_after) <= kSameEnd &&
              std::abs(move.motion.dwell_s - motion.dwell_s) <= kSameEnd;
     };
+    // Exact stops behind the moves of a cycle that is written out.
+    const auto is_stop = [](const IntendedMove& move) {
+      return move.motion.kind == nc::MotionKind::dwell && move.motion.dwell_s == 0;
+    };
+    while (motion.kind != nc::MotionKind::dwell && said < batch_.moves.size() && is_stop(batch_.moves[said])) ++said;
     // A cycle that goes back to where it began is entered from there.
     const bool enters = original_->cycle == nc::CycleForm::spindle;
     while (enters && !path::stands(motion) && said < batch_.moves.size() && !is_it(batch_.moves[said]) &&

@@ -55,6 +55,11 @@ bool sets_motion(const Execution& run) {
   });
 }
 
+// G53 X0: a rapid whatever mode is in force, which it leaves alone.
+bool is_rapid_of_machine(const Execution& run) {
+  return run.machine_word != nullptr && run.motion_word == nullptr && run.dialect.behaviour.machine_move_is_rapid;
+}
+
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
 void change_unit(Execution& run, const Word& code, bool inches) {
   if (run.control.modal.inches == inches) return;
@@ -81,7 +86,7 @@ void act_on_mode(Execution& run, const Chosen& chosen) {
   switch (chosen.row->action) {
     case Action::motion_off:
       if (run.dialect.behaviour.cycle_off_stops_spindle) modal.switches.spindle = kSpindleStands;
-      if (run.motion == nullptr && !sets_motion(run)) end_motion(run);
+      if ((run.motion == nullptr || is_rapid_of_machine(run)) && !sets_motion(run)) end_motion(run);
       return;
     case Action::surface_speed:
       if (chosen.row->value == 1) run.need('S', run.text_of(*chosen.word));
@@ -174,12 +179,14 @@ void act_on_position(Execution& run, const Chosen& chosen) {
     case Action::tool_length_by_words:
     case Action::tool_length_added:
     case Action::tool_length_off:
+      run.control.modal.length_stated = true;
       return set_tool_length(run, chosen);
     case Action::no_next_tool:
       run.control.selected_tool = 0;
       return;
     case Action::tool_tip_on:
     case Action::tool_tip_off:
+      run.control.modal.length_stated = true;
       return set_tool_tip(run, chosen);
     case Action::return_level:
       return set_return_level(run, *chosen.word);

@@ -184,7 +184,7 @@ BlockValues::BlockValues(Execution& run)
     : run_(run),
       system_parameters_(run.control, run.settings, run.dialect),
       evaluator_(run.dialect.syntax.equal_within, !run.dialect.syntax.empty_names, run.dialect.syntax.doubtful_within,
-                 run.dialect.syntax.unsourced_values) {}
+                 run.dialect.syntax.unsourced_values, run.dialect.syntax.relative_within) {}
 
 double BlockValues::value_of(const Block& block, std::uint32_t code, Span span) {
   const Value value = evaluator_.run(block, code, system_parameters_);
@@ -356,6 +356,7 @@ void BlockValues::set_parameter(const Block& block, const Setting& place, int nu
     }
     if (run_.dialect.syntax.unsourced_values && run_.control.parameters.is_whole(block.at(block.names[place.name]))) {
       check_half(block, place.span, value);
+      check_range(block, place.span, value);
     }
     run_.control.parameters.set(block.at(block.names[place.name]), value);
     note_handed_name(block, place, value);

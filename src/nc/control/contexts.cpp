@@ -29,19 +29,20 @@ void check_named_axes(const Execution& run, const Chosen& code) {
   }
 }
 
-// G5 P10001 is another function than G5 P10000.
 void check_values(const Execution& run) {
   for (const Chosen& code : run.chosen) {
     const CodeRow& row = *code.row;
-    if (row.only.empty()) continue;
+    if (row.only.empty()) continue;  // G5 P10001 is another function than G5 P10000
     const Word& word = run.need(row.only_letter, run.block->at(code.word->span));
     const bool known = std::any_of(row.only.begin(), row.only.end(), [&](double value) {
       return word.value > value - kSameValue && word.value < value + kSameValue;
     });
     if (known) check_named_axes(run, code);
     if (known) continue;
-    run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.block->at(code.word->span), row.why),
-               "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+    run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.block->at(code.word->span), row.reason()),
+               row.way_out().empty()
+                   ? "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system"
+                   : std::string(row.way_out()));
   }
 }
 

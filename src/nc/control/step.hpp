@@ -101,6 +101,7 @@ struct Hole {
   double r = 0, bottom = 0, clear = 0;       // where it begins to feed, its end, where it goes back to
   const CodeRow* row = nullptr;              // of the cycle
   std::optional<double> dwell_s;             // P
+  bool dwell_pointed = false;                // that it was written with a point
   double peck = 0, peck_to_r = 0;            // Q, or I and J of an OSP; mm
   double feed_out = 0;                       // FA of an OSP
   std::optional<std::array<double, 3>> ijk;  // G87: two of them beside the hole, that of the normal the level

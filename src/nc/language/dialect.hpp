@@ -243,11 +243,11 @@ struct Syntax {
   Labels labels = Labels::numbers;
   SystemVariables system_variables = SystemVariables::none;
   double equal_within = 1e-4;  // EQ and NE
+  double relative_within = 0;  // of the larger of two numbers: what is no further apart is the same
   double doubtful_within = 0;  // numbers that differ by less, of them or of 1, may be the same to the control
   int local_variables = 30;    // #1... of a subprogram
   int last_variable = 5601;
-  /// The variables that outlast the program and that it may as well need for itself alone; 0: none are told from
-  /// others.
+  /// Variables that outlast the program, which may need them for itself alone; 0: none are told from others.
   int first_lasting = 0, last_lasting = 0;
   bool restates_lasting = false;       // where a program is written out, it sets them once, at its end
   int alarm_variable = kNoVariable;    // setting it stops the control
@@ -311,27 +311,27 @@ struct ControlBehaviour {
   bool turns_are_extra = false;             // the count of an arc's turns does not hold the begun one
   double dwell_p_s = 1;                     // what P of G4 counts
   enum class Beside : std::uint8_t { anything, no_arcs, no_axes, nothing };
-  Beside beside_dwell = Beside::anything;  // what may stand in a block with G4
-  // G4 in these modes: what its word counts then is not known.
+  Beside beside_dwell = Beside::anything;         // what may stand in a block with G4
   bool inch_turn_unknown = false;                 // what a degree counts beside inches
   bool inch_turn_per_revolution_unknown = false;  // F of a move of A, B, C alone under G20 and G95
-  bool dwell_unknown_per_revolution = false;
-  bool dwell_unknown_inverse_time = false;
-  bool h0_is_machine = false;             // G15 H0, G16 H0: machine coordinates
+  bool dwell_unknown_per_revolution = false;      // what the word of G4 counts then
+  bool dwell_unknown_inverse_time = false;        // likewise
+  bool h0_is_machine = false;                     // G15 H0, G16 H0: machine coordinates
   double travel_limit_mm = 0;             // a rapid to this or more goes to the end of the axis' travel; 0: none does
   bool return_levels = false;             // cycles go back to the level of G71 or to R, as M53 and M54 say
   bool cycle_off_stops_spindle = false;   // G80
+  bool cycles_exact_path = false;         // their moves end exactly, under G64 as well
   bool rapid_after_cycles = false;        // G80 ends the cycle alone: the G0 from before it is in force again
   bool inverse_time_arc_unknown = false;  // what F of an arc says under G93
   bool radius_alone_stands = false;       // G2 R5 without an end: the tool stays
   bool set_position_unknown_elsewhere = false;  // what G92 is under G91, and in another work system
   bool radius_positive = false;                 // R of an arc: what less than 0 asks for is not known
-  // G91 after a change of these: whether the increment brings it along is not known.
-  bool increment_unknown_after_offset = false;  // TRANS, G55
-  bool increment_unknown_after_length = false;  // D1, G43 H1
-  bool increment_unknown_after_turn = false;    // ROT, G68
+  bool increment_unknown_after_offset = false;  // TRANS, G55: whether G91 brings it along
+  bool increment_unknown_after_length = false;  // D1, G43 H1: likewise
+  bool increment_unknown_after_turn = false;    // ROT, G68: likewise
   bool turned_axis_alone_unknown = false;       // G68, then X without Y
   bool dwell_takes_words = false;               // F and S beside G4 are its time
+  bool length_set_at_start = false;             // a tool's length may be in force at the start, as the machine is set
   bool starts_with_stops = false;               // where the program states nothing else each block may end standing
   bool feed_mode_drops_feed = false;            // G94 drops the F before it even where it is in force already
   bool change_stops_spindle = false;            // M6

@@ -57,6 +57,7 @@ inline constexpr Key<char Syntax::*> kSyntaxLetters[] = {
 };
 inline constexpr Key<double Syntax::*> kSyntaxNumbers[] = {
     {"equal_within", &Syntax::equal_within},
+    {"relative_within", &Syntax::relative_within},
     {"doubtful_within", &Syntax::doubtful_within},
 };
 inline constexpr Key<int Syntax::*> kSyntaxIntegers[] = {
@@ -72,6 +73,8 @@ inline constexpr Key<std::string Syntax::*> kSyntaxTexts[] = {
 inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"last_of_group", &ControlBehaviour::last_of_group},
     {"starts_with_stops", &ControlBehaviour::starts_with_stops},
+    {"cycles_exact_path", &ControlBehaviour::cycles_exact_path},
+    {"length_set_at_start", &ControlBehaviour::length_set_at_start},
     {"bare_motion_code_is_mode", &ControlBehaviour::bare_motion_code_is_mode},
     {"bare_home_loses_position", &ControlBehaviour::bare_home_loses_position},
     {"rapid_before_codes", &ControlBehaviour::rapid_before_codes},

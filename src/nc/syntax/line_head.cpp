@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text/characters.hpp"
+#include "nc/syntax/reading/archive_head.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -73,7 +74,7 @@ class HeadReader {
 
   LineHead percent() {
     const std::string_view rest = line_.substr(at_);
-    if (dialect_.syntax.archive_heads && rest.starts_with("%_")) {
+    if (dialect_.syntax.archive_heads && is_archive_head(rest)) {
       head_.program = canonical_program(rest);
       head_.is_main = upper_without_blanks(rest).ends_with("_MPF");
     } else {
@@ -208,8 +209,8 @@ std::size_t zeros_of_label(std::string_view text) {
 
 std::string canonical_program(std::string_view text) {
   std::string name = upper_without_blanks(text);
-  if (name.starts_with("%_N_")) {
-    name.erase(0, 4);
+  if (is_archive_head(name)) {
+    name.erase(0, name.starts_with("%_N_") ? 4 : 1);
     const std::size_t end = name.rfind('_');
     if (end != std::string::npos && end > 0) name.erase(end);
     return name;

@@ -14,6 +14,10 @@
 namespace plumbline::nc {
 namespace {
 
+// An arc that ends off its circle: where the control goes there, or at which difference it stops, is a matter of its
+// settings. Words of three decimals put both radii some thousandths apart.
+constexpr double kUnknownSpiralMm = 0.01;
+
 constexpr double kHalfCircle = 1e-12;  // of the chord over the diameter, from 1
 constexpr double kWholeTurns = 1e-3;
 
@@ -99,7 +103,8 @@ void centre_by_words(const Execution& run, PlaneArc& arc, const PlaneAxes& axes)
   if (std::min(at_start, at_end) < least_radius(run.control.modal.inches)) {
     run.refuse(run.motion_code(), codes::kArcRadius, "the arc has no radius", "its centre is its start or its end");
   }
-  if (!radii_agree(at_start, at_end, run.control.modal.inches)) {
+  const bool known = run.dialect.behaviour.even_spirals || std::abs(at_start - at_end) <= kUnknownSpiralMm;
+  if (!known || !radii_agree(at_start, at_end, run.control.modal.inches)) {
     const double unit = run.control.length_unit();
     run.refuse(run.motion_code(), codes::kArcRadius,
                fmt::format("the radius is {:.4f} at the start and {:.4f} at the end", at_start / unit, at_end / unit),

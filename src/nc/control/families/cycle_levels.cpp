@@ -93,12 +93,13 @@ void check_cycle_start(const Execution& run, std::array<double, 2> hole, double 
       fmt::format("move to {}{:.6g} with G0 before the cycle", letter(axes.third), level));
 }
 
-// G80 is of another group than G0, which a cycle leaves in force. Of G1, G2 and G3 no source says it.
+// G80 is of another group than G0, which a cycle leaves in force. Of G1, G2 and G3 no source says it. Where no cycle is
+// in force it ends nothing.
 const CodeRow* row_after_cycle(const Execution& run) {
   const Control& control = run.control;
   if (!run.dialect.behaviour.rapid_after_cycles) return nullptr;
-  const CodeRow* const before =
-      control.modal.motion == MotionMode::cycle ? control.row_before_cycle : control.motion_row;
+  if (control.modal.motion != MotionMode::cycle) return control.motion_row;
+  const CodeRow* const before = control.row_before_cycle;
   return before != nullptr && before->action == Action::rapid ? before : nullptr;
 }
 

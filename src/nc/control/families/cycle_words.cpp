@@ -86,7 +86,10 @@ void CycleWords::take_words() {
   }
   const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore);
   if (const Word* const word = run_.words.find('P')) {
-    check_milliseconds(run_, *word, waits);
+    // Posts for an OSP write seconds with a point or milliseconds, as the machine is set: it stays as it is written.
+    if (!of_osp) check_milliseconds(run_, *word, waits);
+    cycle_.dwell_pointed =
+        word->expression == kLiteral && run_.block->at(word->span).find('.') != std::string_view::npos;
   }
   // The manual has no P in these [U part 2, p. 53], a Haas waits at the bottom [H], and it keeps the P of a cycle
   // before: the hole stays a cycle.

@@ -171,6 +171,7 @@ void CycleRun::make_hole(bool first) {
   hole.feed_out = cycle_.feed_out;
   const bool needless = run_.dialect.behaviour.return_levels && cycle_.dwell_s == 0;
   if ((run_.motion->word_mask & letter_bit('P')) != 0 && !needless) hole.dwell_s = cycle_.dwell_s;
+  hole.dwell_pointed = hole.dwell_s && cycle_.dwell_pointed;
   if (code_ == kBackBore) {
     hole.ijk = cycle_.ijk;
     (*hole.ijk)[index(axes_.third)] = levels_.offset;

@@ -72,6 +72,7 @@ void set_motion_mode(Execution& run, const CodeRow& row) {
 
 void end_motion(Execution& run) {
   Modal& modal = run.control.modal;
+  if (run.dialect.behaviour.rapid_after_cycles && modal.motion != MotionMode::cycle) return;
   const CodeRow* const goes_on = row_after_cycle(run);
   run.control.cycle.begun = false;
   run.control.spline_end.reset();

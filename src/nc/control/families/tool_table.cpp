@@ -23,7 +23,17 @@ ToolRow& row_to_write(Control& control, const ProgramSettings& settings, int num
   return row->second;
 }
 
+// At others the control stops [rs274].
+void check_orientation(const Execution& run) {
+  constexpr int kLargest = 9;
+  const Word* const word = run.words.find('Q');
+  if (word == nullptr || run.whole(*word, -kNoLimit, kNoLimit) <= kLargest) return;
+  run.refuse(*word, codes::kOutOfRange, fmt::format("a tool has no orientation {}", run.block->at(word->span)),
+             fmt::format("write Q0 to Q{}", kLargest));
+}
+
 void set_details(const Execution& run, ToolRow& row) {
+  check_orientation(run);
   if (const Word* radius = run.words.find('R')) row.diameter_mm = 2 * run.length(*radius);
   for (std::size_t i = 0; i < kDetailLetters.size(); ++i) {
     if (const Word* word = run.words.find(kDetailLetters[i])) row.details[i] = word->value;

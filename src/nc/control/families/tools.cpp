@@ -180,6 +180,12 @@ void set_tool_length(Execution& run, const Chosen& chosen) {
       break;
     }
     case Action::tool_length_added:
+      if (!run.axes.empty() && !run.words.has('H')) {
+        run.refuse(first_axis_word(run), codes::kNotInterpreted,
+                   "G43.2 with axis words in place of H stops LinuxCNC 2.9 of before June 2024, and adds them to the "
+                   "length after it",
+                   "write the whole length with G43.1");
+      }
       if (!run.axes.empty()) {
         run.refuse(first_axis_word(run), codes::kAxesTwice, "G43.2 takes H or axis words, and its block holds both",
                    "put the move into a block of its own");

@@ -46,7 +46,7 @@ double modulo(double a, double b) {
   return rest < 0 ? rest + std::abs(b) : rest;
 }
 
-double of_two(Operation operation, double a, double b, double equal_within) {
+double of_two(Operation operation, double a, double b) {
   switch (operation) {
     case Operation::arc_tangent:
       return to_degrees(std::atan2(a, b));
@@ -75,18 +75,6 @@ double of_two(Operation operation, double a, double b, double equal_within) {
       return a + b;
     case Operation::minus:
       return a - b;
-    case Operation::equal:
-      return truth(a == b || std::abs(a - b) < equal_within);
-    case Operation::not_equal:
-      return truth(a != b && std::abs(a - b) >= equal_within);
-    case Operation::greater:
-      return truth(a > b);
-    case Operation::greater_equal:
-      return truth(a >= b);
-    case Operation::less:
-      return truth(a < b);
-    case Operation::less_equal:
-      return truth(a <= b);
     case Operation::logical_and:
       return truth(a != 0 && b != 0);
     case Operation::logical_or:
@@ -307,8 +295,13 @@ Value Evaluator::joined(const Block& block, const Instruction& step, const Value
   const bool differ = a.vacant != b.vacant;
   if (differ && step.operation == Operation::equal) return result;
   if (differ && step.operation == Operation::not_equal) return {1, result.known};
-  result.number = is_of_bits(step.operation) ? of_bits(block, step, a, b)
-                                             : of_two(step.operation, a.number, b.number, equal_within_);
+  if (is_of_bits(step.operation)) {
+    result.number = of_bits(block, step, a, b);
+  } else if (is_relation(step.operation)) {
+    if (result.known) result.number = truth(compares(block, step, a.number, b.number, equality_));
+  } else {
+    result.number = of_two(step.operation, a.number, b.number);
+  }
   result.rounded = is_rounded(step, result, a, b);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "nc/control/parameters/parameters.hpp"
+#include "nc/control/parameters/relations.hpp"
 #include "nc/control/parameters/whole_numbers.hpp"
 #include "nc/language/block.hpp"
 
@@ -25,9 +26,10 @@ class Evaluator {
  public:
   /// `equal_within`: of EQ and NE; 1e-4 [LinuxCNC, measured]. `vacant_is_zero`: a variable that was never set counts as
   /// 0; else it is compared with EMPTY alone. `unsourced_refused`: so are ROUND(-2.5) and ATAN2(0,0).
+  /// `relative_within`: numbers that are no further apart, of the larger, compare as the same.
   explicit Evaluator(double equal_within = 1e-4, bool vacant_is_zero = true, double doubtful_within = 0,
-                     bool unsourced_refused = false)
-      : equal_within_(equal_within),
+                     bool unsourced_refused = false, double relative_within = 0)
+      : equality_{equal_within, relative_within},
         doubtful_within_(doubtful_within),
         vacant_is_zero_(vacant_is_zero),
         unsourced_refused_(unsourced_refused) {}
@@ -44,7 +46,8 @@ class Evaluator {
   bool is_rounded(const Instruction& step, const Value& result, const Value& a, const Value& b) const;
   void check_digits(const Block& block, const Instruction& step, const Value& a, const Value& b) const;
   void check_whole_digits(const Block& block, const Instruction& step, const Value& value) const;
-  double equal_within_, doubtful_within_;
+  Equality equality_;
+  double doubtful_within_;
   bool vacant_is_zero_, unsourced_refused_;
   void check_truths(const Block& block, const Instruction& step) const;
   void check_bounds(const Block& block, const Instruction& step) const;

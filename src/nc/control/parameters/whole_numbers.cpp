@@ -10,6 +10,13 @@
 
 namespace plumbline::nc {
 
+void check_range(const Block& block, Span span, const Value& value) {
+  constexpr double kLargest = 2147483647;
+  if (!value.known || value.vacant || std::abs(value.number) <= kLargest) return;
+  refuse_at(block, span, codes::kOutOfRange,
+            fmt::format("an INT goes to {:.0f}, and {:.10g} is beyond", kLargest, value.number), "declare it as REAL");
+}
+
 void check_half(const Block& block, Span span, const Value& value) {
   constexpr double kHalf = 0.5;
   constexpr double kNear = 1e-9;

@@ -31,6 +31,9 @@ double rounded(const Block& block, Span span, double value, const Rounding& roun
 /// Refuses -2.5, and what is less than 2.5 by its last digits alone: which way a control rounds them that rounds from
 /// 0.5 on is left open.
 void check_half(const Block& block, Span span, const Value& value);
+/// What an INT of 32 bits can hold. Refuses more with nc-out-of-range: what the control makes of it was found in no
+/// source.
+void check_range(const Block& block, Span span, const Value& value);
 
 /// A whole number near `value`; refuses with nc-not-whole. Whole within 1e-4 [LinuxCNC, measured].
 int whole_number(const Block& block, Span span, double value, std::string_view what);

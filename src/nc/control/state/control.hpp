@@ -40,6 +40,7 @@ struct Cycle {
   double r = 0;
   double bottom = 0;
   double dwell_s = 0;           // P
+  bool dwell_pointed = false;   // that it was written with a point
   double peck = 0;              // Q
   double peck_to_r = 0;         // J of an OSP's G73
   double feed_out = 0;          // FA of an OSP

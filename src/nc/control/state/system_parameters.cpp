@@ -265,7 +265,17 @@ Value SystemParameters::read_macro_variable(const Block& block, int number, Span
   if (is_common(number)) return unset(block, span);
   if ((number >= kClocks && number <= kClocksEnd) || number == kDate || number == kTime) return {0, false};
   if (const std::optional<Axis> axis = axis_in_row(number, kBlockEnd)) return position(block, *axis, span);
-  if (const std::optional<Axis> axis = axis_in_row(number, kPositionNow)) return position(block, *axis, span);
+  if (const std::optional<Axis> axis = axis_in_row(number, kPositionNow)) {
+    if (!is_rotary(*axis) && control_.frame.tool != AxisWords{}) {
+      refuse_at(
+          block, span, codes::kNotInterpreted,
+          fmt::format("#{} is a position with the tool's length in it, which is in force here and not interpreted",
+                      number),
+          fmt::format("read #{}, the end of the block before without it, or write G49 before",
+                      number - kPositionNow + kBlockEnd));
+    }
+    return position(block, *axis, span);
+  }
   if (const std::optional<MacroOrigin> origin = macro_origin(number)) {
     const std::optional<double> value = shown(control_, number);
     if (!value) return unset(block, span);

@@ -67,6 +67,14 @@ void refuse_words_of_cycle(const Step& step, const BlockCodes& codes, const Dial
   }
 }
 
+// P counts whole milliseconds on some controls, which take no point in it.
+void append_dwell(std::string& text, double seconds, char letter, const Dialect& dialect, const Spelling& spelling) {
+  const double per_count = letter == 'P' ? dialect.behaviour.dwell_p_s : 1;
+  const bool whole = per_count != 1;
+  append_word(text, letter, seconds / per_count, whole ? 0 : kMostDecimals,
+              {spelling.lower_case, spelling.spaced, spelling.point && !whole, spelling.most_digits});
+}
+
 }  // namespace
 
 void WrittenMoves::add(MadeStep& own) {
@@ -92,7 +100,7 @@ std::span<const Step* const> WrittenMoves::of(const Step& step, bool anew) {
     for (const Hole& hole : step.holes) step.call != nullptr ? add_called_hole(step, hole) : add_hole(step, hole);
   } else {
     const std::size_t waits = dwells_first(step) ? 1 : 0;  // which the rest of the block does
-    for (const Motion& motion : step.motions.subspan(waits)) add_move(step, motion);
+    add_moves(step, step.motions.subspan(waits));
   }
   add_words_after(step);
   if (list_.empty()) return list_;
@@ -155,15 +163,6 @@ void WrittenMoves::add_words_after(const Step& step) {
   add(own);
 }
 
-// P counts whole milliseconds on some controls, which take no point in it.
-void WrittenMoves::append_dwell(std::string& text, double seconds) const {
-  const char letter = codes_.dwell_letter();
-  const double per_count = letter == 'P' ? dialect_.behaviour.dwell_p_s : 1;
-  const bool whole = per_count != 1;
-  append_word(text, letter, seconds / per_count, whole ? 0 : kMostDecimals,
-              {spelling_.lower_case, spelling_.spaced, spelling_.point && !whole, spelling_.most_digits});
-}
-
 // Of R and Q as of Z.
 void WrittenMoves::append_axis(std::string& text, const Step& step, char letter, double mm) const {
   append_word(text, letter, kept(step, Axis::Z, mm / step.after->unit_of(Axis::Z)), kMostDecimals, spelling_);
@@ -173,6 +172,27 @@ void WrittenMoves::append_axis(std::string& text, const Step& step, char letter,
 double WrittenMoves::kept(const Step& step, Axis axis, double value) const {
   const Kept kept = kept_of_axis_word(dialect_.behaviour, is_rotary(axis), step.after->inches, increment_ratio_, false);
   return kept_value(value, kept, false);
+}
+
+// Where a control drills in exact path mode, whatever mode is in force, a wait of no time ends each move as exactly: it
+// needs not know which tolerance comes back behind the hole.
+void WrittenMoves::add_moves(const Step& step, std::span<const Motion> motions) {
+  const bool drills = step.cycle != CycleForm::none && !step.holes.empty();
+  const bool stops =
+      drills && dialect_.behaviour.cycles_exact_path && step.after->path_control == PathControl::continuous;
+  for (const Motion& motion : motions) {
+    const std::size_t before = list_.size();
+    add_move(step, motion);
+    const bool waits =
+        motion.kind == MotionKind::dwell || (&motion != &motions.back() && (&motion)[1].kind == MotionKind::dwell);
+    if (!stops || waits || list_.size() == before) continue;
+    Motion stop = motion;
+    stop.kind = MotionKind::dwell;
+    stop.from = motion.to;
+    stop.known_before = motion.known_after;
+    stop.dwell_s = 0;
+    add_move(step, stop);
+  }
 }
 
 void WrittenMoves::add_move(const Step& step, const Motion& motion) {
@@ -194,7 +214,7 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
   if (dwells) {
     refuse_unknown_dwell(step, dialect_);
     append_code(own.text, codes_.dwell(), spelling_);
-    append_dwell(own.text, motion.dwell_s);
+    append_dwell(own.text, motion.dwell_s, codes_.dwell_letter(), dialect_, spelling_);
   } else {
     mode_ = motion.kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
     append_code(own.text, codes_.motion(mode_), spelling_);
@@ -222,9 +242,8 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
 // The way to above the hole, then a cycle of its own with every word stated, absolute.
 void WrittenMoves::add_hole(const Step& step, const Hole& hole) {
   const std::size_t waits = dwells_first(step) ? 1 : 0;  // which the rest of the block does
-  for (std::size_t i = std::max(hole.approach_begin, waits); i < hole.approach_end; ++i) {
-    add_move(step, step.motions[i]);
-  }
+  const std::size_t approach = std::max(hole.approach_begin, waits);
+  if (approach < hole.approach_end) add_moves(step, step.motions.subspan(approach, hole.approach_end - approach));
   const PlaneAxes axes = axes_of(step.after->plane);
   const Motion& above = step.motions[hole.approach_end - 1];
   // A cycle that begins goes back to where the tool stands; one that goes on, to where the first of them began.
@@ -244,7 +263,7 @@ void WrittenMoves::add_hole(const Step& step, const Hole& hole) {
   append_axis(own.text, step, letter(axes.second), hole.second);
   append_axis(own.text, step, letter(axes.third), hole.bottom);
   append_axis(own.text, step, 'R', hole.r);
-  if (hole.dwell_s) append_dwell(own.text, *hole.dwell_s);
+  if (hole.dwell_s) append_dwell(own.text, *hole.dwell_s, codes_.dwell_letter(), dialect_, spelling_);
   if (hole.ijk) {
     for (std::size_t i = 0; i < 3; ++i) append_axis(own.text, step, "IJK"[i], (*hole.ijk)[i]);
   }
@@ -268,21 +287,22 @@ void WrittenMoves::add_hole(const Step& step, const Hole& hole) {
 void WrittenMoves::append_taken_over(std::string& text, const Step& step) const {
   const Hole& hole = step.holes.front();
   const bool by_depth = hole.peck_to_r > 0;
-  const auto append = [&](char letter, double value, bool whole) {
+  const auto append = [&](char letter, double value) {
     if (value == 0 || find_word(*step.block, letter) != nullptr) return;
     if (spelling_.spaced && !text.empty()) text += ' ';
     const bool feeds_out = letter == kFeedOutLetter;
+    const bool point = letter == 'P' ? hole.dwell_pointed : spelling_.point;
     const std::size_t begin = text.size();
-    append_word(text, feeds_out ? 'F' : letter, value, whole ? 0 : kMostDecimals,
-                {spelling_.lower_case, false, spelling_.point && !whole, spelling_.most_digits});
+    append_word(text, feeds_out ? 'F' : letter, value, kMostDecimals,
+                {spelling_.lower_case, false, point, spelling_.most_digits});
     if (feeds_out) text.insert(begin + 1, "A=");
   };
   const auto length = [&](double mm) { return kept(step, Axis::Z, mm / step.after->unit_of(Axis::Z)); };
-  append('P', std::round(hole.dwell_s.value_or(0) / dialect_.behaviour.dwell_p_s), true);
-  append('Q', by_depth ? 0 : length(hole.peck), false);
-  append('I', by_depth ? length(hole.peck) : 0, false);
-  append('J', length(hole.peck_to_r), false);
-  append(kFeedOutLetter, hole.feed_out, false);
+  append('P', hole.dwell_s.value_or(0) / dialect_.behaviour.dwell_p_s);
+  append('Q', by_depth ? 0 : length(hole.peck));
+  append('I', by_depth ? length(hole.peck) : 0);
+  append('J', length(hole.peck_to_r));
+  append(kFeedOutLetter, hole.feed_out);
 }
 
 // The block itself, its hole stated as position: a rigid tap ends at any other motion, and a move between M29 and G84

@@ -35,12 +35,12 @@ class WrittenMoves {
   void add_rest(const Step& step);
   void add_words_after(const Step& step);
   void add_move(const Step& step, const Motion& motion);
+  void add_moves(const Step& step, std::span<const Motion> motions);
   void add_hole(const Step& step, const Hole& hole);
   void add_called_hole(const Step& step, const Hole& hole);
   void add_hole_in_place(const Step& step, bool anew);
   void append_taken_over(std::string& text, const Step& step) const;
 
-  void append_dwell(std::string& text, double seconds) const;
   void append_axis(std::string& text, const Step& step, char letter, double mm) const;
   double kept(const Step& step, Axis axis, double value) const;
 

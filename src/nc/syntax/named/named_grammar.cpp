@@ -12,6 +12,7 @@
 #include "nc/syntax/named/named_statements.hpp"
 #include "nc/syntax/named/named_values.hpp"
 #include "nc/syntax/named/named_words.hpp"
+#include "nc/syntax/reading/archive_head.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -251,7 +252,7 @@ void NamedGrammar::read(BlockReading& in) {
   if (in.syntax->draws && draws(in)) return in.out.set_kind(LineKind::ignored);
   cursor.take(lex_named_item);
   if (cursor.is(TokenKind::percent)) {
-    if (!in.syntax->archive_heads || cursor.next_byte() != '_') return read_percent(in);
+    if (!in.syntax->archive_heads || !is_archive_head(text.substr(cursor.span().begin))) return read_percent(in);
     const Span name{cursor.span().begin, static_cast<std::uint32_t>(text.size())};  // %_N_NAME_MPF
     in.out.begin_flow(FlowWord::program, name).name = name;
     return;

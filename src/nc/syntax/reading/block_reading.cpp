@@ -60,6 +60,10 @@ void read_block_skip(BlockReading& in) {
   if (in.syntax->skip_switches) {
     in.cursor.pass_digits();
     slash.end = in.cursor.here();
+    if (slash.end - slash.begin > 2) {
+      in.cursor.refuse(slash, codes::kNotInterpreted, "a switch of block skip has one digit",
+                       "write a blank behind it where a value follows, or / alone");
+    }
   }
   in.out.set_slash(slash);
 }

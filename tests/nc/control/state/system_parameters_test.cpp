@@ -83,6 +83,10 @@ TEST_CASE("where the axes of macro B are is read by who only looks") {
   read.control.known = AxisSet::all();
   read.control.position = {{50.8, 0, 0, 30, 0, 0}};
   CHECK(read.read(5041).number == 50.8);
+  read.control.frame.tool[Axis::Z] = 100;  // #5041 and on have it in them, #5001 and on have not
+  CHECK(read.refusal(5041) == "nc-not-interpreted");
+  CHECK(read.read(5001).number == 50.8);
+  CHECK(read.read(5044).number == 30);
 }
 
 TEST_CASE("where a program of RS274/NGC has put the control is read, in the unit of the program") {

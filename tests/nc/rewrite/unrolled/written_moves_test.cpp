@@ -17,7 +17,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 // The last block of the program, written out.
-Texts written(std::string_view text, std::string_view dialect_name = "linuxcnc") {
+Texts written_as(std::string_view text, std::string_view dialect_name = "linuxcnc") {
   ProgramSettings settings = at_zero();
   settings.as_with_empty_tables = true;
   const LastStep step(text, dialect_name, settings);
@@ -25,6 +25,11 @@ Texts written(std::string_view text, std::string_view dialect_name = "linuxcnc")
   Texts texts;
   for (const Step* const made : moves.of(*step)) texts.emplace_back(made->block->text);
   return texts;
+}
+
+// The same under exact stops, where no others are needed.
+Texts written(const std::string& text, std::string_view dialect_name = "linuxcnc") {
+  return written_as(dialect_name == "linuxcnc" ? "G61\n" + text : text, dialect_name);
 }
 
 }  // namespace
@@ -42,6 +47,20 @@ TEST_CASE("the number of a block that holds nothing else goes to the first of it
 TEST_CASE("a dwell is written in the unit of the control") {
   CHECK(written("G99 G0 Z2 F100\nG82 R2 Z-3 P1.5\n") == Texts{"G1 Z-3", "G4 P1.5", "G0 Z2"});
   CHECK(written("G99 G0 Z2. F100.\nG82 R2. Z-3. P1500\n", "fanuc") == Texts{"G1 Z-3.", "G4 P1500", "G0 Z2."});
+}
+
+TEST_CASE("LinuxCNC drills in exact path mode: under G64 the tool comes to a stop behind each move written out") {
+  const std::string drill = "G99 G0 Z10 F100\nG81 X10 R2 Z-3\n";
+  const Texts stops{"G0 X10", "G4 P0", "G0 Z2", "G4 P0", "G1 Z-3", "G4 P0", "G0 Z2", "G4 P0"};
+  for (const std::string mode : {"", "G64\n", "G64 P0.05\n", "G61\nG64 P0.05 Q0.01\n"}) {
+    INFO(mode);
+    CHECK(written_as(mode + drill) == stops);
+  }
+  for (const std::string mode : {"G61\n", "G61.1\n"}) CHECK(written_as(mode + drill).size() == 4);
+  CHECK(written_as("G99 G0 Z2 F100\nG82 R2 Z-3 P1.5\n") == Texts{"G1 Z-3", "G4 P1.5", "G0 Z2", "G4 P0"});
+  CHECK(written_as("G99 G0 Z10 F100 S100 M3\nG84 X10 Y5 R2 Z-3\n") ==
+        Texts{"G0 X10 Y5", "G4 P0", "G84 X10 Y5 Z-3 R2 P0"});
+  CHECK(written_as("G99 G0 Z2. F100.\nG81 R2. Z-3.\n", "fanuc") == Texts{"G1 Z-3.", "G0 Z2."});
 }
 
 TEST_CASE("increments are written as increments, in the unit of the program") {
