@@ -130,8 +130,10 @@ std::optional<Objection> objection_to(const Conclusion& conclusion, const Case& 
   if (auto off = strained(candidates, conclusion.marginalised, options); !off.empty()) return off;
   const double together = strain_of_all(candidates, conclusion.marginalised);
   if (together > options.nuisances_together) return StrainedTogether{together};
-  const double tip = farthest_move(of, conclusion.forces);
-  if (tip > options.farthest_tip) return MovedFar{tip};
+  if (verdict == Verdict::unknown) {
+    const double tip = farthest_move(of, conclusion.forces);
+    if (tip > options.farthest_tip) return MovedFar{tip};
+  }
   const Rms before = rms_of(of.given, of.out, true);
   const Rms after = rms_of(conclusion.residuals.after, of.out, true);
   if (before.radial && *after.radial > *before.radial) return GivenIsNearer{ReadingKind::radial};

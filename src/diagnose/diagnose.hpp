@@ -39,7 +39,7 @@ struct VerdictOptions {
   double open_share = 0.5;           // of what was left before; with more, what comes again is a gap that stays open,
   double open_correlation = 0.5;     // if it is more than half of what is left
   double nuisances_together = 5;     // standard deviations of chi-square
-  double farthest_tip = 0.5e-3;      // m, by which effects of a machine move the tip
+  double farthest_tip = 0.5e-3;      // m, by which what no catalogue has moves the tip
   double least_recurring_um = 0.02;  // rms; less than that is rounding
   double least_recurring_Nm = 1e-3;
 };
