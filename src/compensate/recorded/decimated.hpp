@@ -31,11 +31,7 @@ class Decimated {
   /// `make` makes the point, where it is kept for now.
   template <class Make>
   void add(const Figures& figures, Make&& make) {
-    if (count_ > 0 && count_ % width_ == 0) begin_stretch();
-    const bool extreme = extremes_.take(figures, play_);
-    if (extreme || count_ % width_ == 0) kept_.push_back({count_, figures, make()});
-    ++count_;
-    if (kept_.size() - stretch_begin_ > kLoose) thin(stretch_begin_);
+    add(std::span(&figures, 1), [&](std::size_t) { return make(); });
   }
   /// The same of points in a row, `make(i)` of the i-th of them: the more there are the fewer have to be made.
   template <class Make>
@@ -78,20 +74,6 @@ class Decimated {
       Figures figures;
       figures.fill(value);
       return figures;
-    }
-    /// Whether this is a new extreme of something.
-    bool take(const Figures& figures, double play) {
-      bool is_one = false;
-      for (std::size_t f = 0; f < kFigures; ++f) {
-        const bool below = figures[f] < least[f] - beyond[f];
-        const bool above = figures[f] > largest[f] + beyond[f];
-        if (!below && !above) continue;
-        if (below) least[f] = figures[f];
-        if (above) largest[f] = figures[f];
-        beyond[f] = play * (largest[f] - least[f]);
-        is_one = true;
-      }
-      return is_one;
     }
     /// Marks those of a row that are new extremes of it all.
     void take(std::span<const Figures> row, double play, std::vector<char>& marks) {

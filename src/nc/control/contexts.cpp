@@ -40,9 +40,7 @@ void check_values(const Execution& run) {
     if (known) check_named_axes(run, code);
     if (known) continue;
     run.refuse(word, codes::kNotInterpreted, fmt::format("{} {}", run.block->at(code.word->span), row.reason()),
-               row.way_out().empty()
-                   ? "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system"
-                   : std::string(row.way_out()));
+               std::string(row.way_out().empty() ? kWriteItOut : row.way_out()));
   }
 }
 
@@ -378,9 +376,7 @@ void check_cycle_beside_motion(const Execution& run) {
 // Some controls take P1.5 and P2. for seconds, others stop at them.
 void check_milliseconds(const Execution& run, const Word& word, bool waits) {
   if (run.dialect.behaviour.dwell_p_s == 1) return;
-  const bool pointed =
-      waits && word.expression == kLiteral && run.block->at(word.span).find('.') != std::string_view::npos;
-  if (!pointed && word.value == std::floor(word.value)) return;
+  if (!(waits && word.point) && word.value == std::floor(word.value)) return;
   run.refuse(word, codes::kNotWhole,
              fmt::format("P counts whole milliseconds without a point, and {} is none", run.block->at(word.span)),
              run.chosen_row(Action::dwell) != nullptr ? "write milliseconds without a point, or X and seconds"

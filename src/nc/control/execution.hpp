@@ -27,6 +27,9 @@ std::string vacancy_in(const Block& block);
 
 /// No upper limit for Execution::whole.
 inline constexpr int kNoLimit = 1000000000;
+/// The way out of a code that is not interpreted, where its row names none.
+inline constexpr std::string_view kWriteItOut =
+    "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system";
 
 struct Execution {
   const Dialect& dialect;

@@ -21,7 +21,7 @@ constexpr std::uint32_t kUninterpretedLetters = letter_bit('U') | letter_bit('V'
 constexpr double kLargestValue = 1e9;  // so that sums of them can be written with all that a double holds of them
 
 [[noreturn]] void refuse_row(const Execution& run, const CodeRow& row, const Word& word) {
-  std::string help = "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system";
+  std::string help(kWriteItOut);
   if (word.letter == 'M') {
     help = fmt::format("leave it out, or, if it moves nothing on this machine, let it through: --pass {}",
                        run.text_of(word));

@@ -88,8 +88,7 @@ void CycleWords::take_words() {
   if (const Word* const word = run_.words.find('P')) {
     // Posts for an OSP write seconds with a point or milliseconds, as the machine is set: it stays as it is written.
     if (!of_osp) check_milliseconds(run_, *word, waits);
-    cycle_.dwell_pointed =
-        word->expression == kLiteral && run_.block->at(word->span).find('.') != std::string_view::npos;
+    cycle_.dwell_pointed = word->point;
   }
   // The manual has no P in these [U part 2, p. 53], a Haas waits at the bottom [H], and it keeps the P of a cycle
   // before: the hole stays a cycle.

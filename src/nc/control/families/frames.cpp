@@ -83,7 +83,7 @@ void check_frame_ends(const Execution& run, const Chosen& chosen) {
     run.refuse(
         *chosen.word, codes::kNotInterpreted,
         fmt::format("{} mirrors or scales the axes that it names, which is not interpreted", run.text_of(*chosen.word)),
-        "write it out in G0, G1, G2 and G3, with the control's simulator or the CAM system");
+        std::string(kWriteItOut));
   }
   const Control& control = run.control;
   if (chosen.row->value == kScales || (control.local == AxisWords{} && control.turn_deg == 0)) return;
