@@ -2,6 +2,7 @@
 
 A test that cannot run says why, as the others do (tests/support/skip.hpp): ctest counts it as skipped.
 """
+import atexit
 import os
 import shutil
 import subprocess
@@ -29,8 +30,22 @@ def require():
     if not (BUILD / "wine" / "system.reg").exists():
         subprocess.run([WINE, "wineboot.exe", "--init"], env=environment, check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL, timeout=300)
-        subprocess.run([shutil.which("wineserver") or "/usr/lib/wine/wineserver64", "--wait"], env=environment, timeout=300)
+    keep_serving(environment)
     return environment
+
+
+def keep_serving(environment):
+    """One server of Wine for all the programs of a test. Without it, one that ends for want of programs takes those
+    with it that have begun since: they end with code 1 and say nothing."""
+    def server(word):
+        return subprocess.run([shutil.which("wineserver") or "/usr/lib/wine/wineserver64", word], env=environment,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300).returncode
+
+    server("--kill")  # of a test that was broken off; its code says whether there was one
+    server("--wait")
+    if server("--persistent") != 0:
+        raise RuntimeError(f"the server of Wine does not start for {environment['WINEPREFIX']}")
+    atexit.register(server, "--kill")
 
 
 def wrapper(folder):
