@@ -45,6 +45,9 @@ std::vector<std::function<void(measure::Run&)>> centre_slips();
 
 /// Everything that may have been said wrongly.
 std::vector<Relabelled> relabellings(const Suspects& suspects);
+/// One radius, or one length of the bar, that was said wrongly of all suspects. `closely`: to the last digit, which
+/// takes as long as all else.
+std::vector<Tried> tried_lengths(const Suspects& suspects, bool closely = false);
 /// All payloads times one factor, fitted.
 Relabelled payload_factor();
 /// Nothing: the machine cannot make such a run, or the fit leads nowhere.

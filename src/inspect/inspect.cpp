@@ -187,14 +187,29 @@ class Inspector {
     const Knowledge nothing(wide_);
     const Suspects suspects = agreeing(looked, outliers, nothing);
     std::optional<Fault> fault = finer_than_any_bar(suspects);
-    if (!fault) fault = likeliest_of_all(looked, suspects, labels, noise_found);
+    std::vector<Tried> of_lengths;
     if (!fault) {
-      // a bar that reads a 25th of what gravity does is no machine that the catalogue describes, wide as its effects
-      // are
+      std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
+      of_lengths = tried_lengths(suspects);
+      all.insert(all.end(), of_lengths.begin(), of_lengths.end());
+      fault = likeliest_of_all(looked, suspects, std::move(all), noise_found);
+    }
+    if (!fault) {
+      // wide as its effects are, the catalogue describes machines whose bar reads a 25th of what gravity does, and such
+      // as stand centimetres off
       const Knowledge bare(prior_of(candidates_, kNoEffects));
-      fault = fits_in_larger_unit(agreeing(looked, outliers, bare));
+      const Suspects of_bare = agreeing(looked, outliers, bare);
+      fault = fits_in_larger_unit(of_bare);
+      if (!fault && gains(suspects, of_lengths)) {
+        fault = likeliest_of_all(looked, of_bare, tried_lengths(of_bare), noise_found);
+      }
     }
     if (!fault) return std::nullopt;
+    if (fault->kind == FaultKind::radius || fault->kind == FaultKind::bar_length) {
+      for (const Tried& one : tried_lengths(suspects, true)) {
+        if (one.fault.kind == fault->kind) fault->values = one.fault.values;
+      }
+    }
     fault->all = true;
     // what is said of the place is of the first of them that was looked at
     fault->runs = looked.numbers;
@@ -202,9 +217,15 @@ class Inspector {
     return fault;
   }
 
-  std::optional<Fault> likeliest_of_all(const Looked& looked, const Suspects& suspects, bool labels,
+  // Whether one of them makes the readings more likely though the effects of the catalogue are there to explain them.
+  bool gains(const Suspects& suspects, const std::vector<Tried>& all) const {
+    const double before = chi2_as_stated(suspects);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Tried& one) { return (before - one.chi2) / 2 - one.penalty >= options_.least_nats; });
+  }
+
+  std::optional<Fault> likeliest_of_all(const Looked& looked, const Suspects& suspects, std::vector<Tried> all,
                                         const FineNoise& noise_found) {
-    std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
     leave_large_ones(all, looked.runs[0], options_);
     if (all.empty()) return std::nullopt;
     const Tried& best = *std::min_element(all.begin(), all.end(), [](const Tried& a, const Tried& b) {
@@ -219,14 +240,16 @@ class Inspector {
     fault.before = std::sqrt(before / static_cast<double>(rows));
     fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
     const double fine = noise_found.with_memory();
-    const double left = std::max(0.0, best.chi2 - fine);
-    const double excess = before - fine;
+    const bool length = best.fault.kind == FaultKind::radius || best.fault.kind == FaultKind::bar_length;
+    const double least = length ? std::min(fine, best.chi2) : fine;  // what is not to be had by a number alone
+    const double left = std::max(0.0, best.chi2 - least);
+    const double excess = before - least;
     // as with one run: it takes away most of what is off, and leaves little more than noise
     const double expected = noise_found.expected(best.fault);
     if (before - best.chi2 < options_.explained * (before - noise_found.expected({}))) return std::nullopt;
     if (best.chi2 > options_.near * expected) return std::nullopt;
     // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
-    const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero;
+    const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero || length;
     if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
     // and has no number that could be fitted to what the model lacks. But where much stays open with it, an effect that
     // no catalogue has may prefer the other sign of a bar, which reads little

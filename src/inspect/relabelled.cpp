@@ -85,6 +85,23 @@ void add_exchanges(std::vector<Relabelled>& all, const Suspects& suspects) {
   }
 }
 
+// Radius and length of the bar.
+void add_lengths(std::vector<Relabelled>& all) {
+  add_fitted(all, FaultKind::radius, vector_of({0}), vector_of({1e-3}), [](Run& run, const VectorXd& p) {
+    const double radius = run.radius * std::exp(p[0]);
+    // the ball stays as far below, and time goes on as it does
+    const double below = run.bar_length() * run.bar_length() - run.radius * run.radius;
+    run.bar = std::sqrt(below + radius * radius);
+    run.feed *= radius / run.radius;
+    run.radius = radius;
+  });
+  add_fitted(all, FaultKind::bar_length, vector_of({0}), vector_of({1e-3}), [](Run& run, const VectorXd& p) {
+    // the sine of the angle by which the bar is inclined is what counts
+    const double sine = std::sqrt(std::max(0.0, 1 - std::pow(run.radius / run.bar_length(), 2))) + p[0];
+    run.bar = run.radius / std::sqrt(1 - std::pow(std::clamp(sine, 0.0, 0.95), 2));
+  });
+}
+
 void add_angle_zeros(std::vector<Relabelled>& all, int starts) {
   for (int k = 0; k < starts; ++k) {
     const double start = kTurn * k / starts;
@@ -140,19 +157,7 @@ std::vector<Relabelled> relabellings(const Suspects& suspects) {
   add_angle_zeros(all, 12);
   add_fitted(all, FaultKind::payload, vector_of({0}), vector_of({0.1}),
              [](Run& run, const VectorXd& p) { run.payload_mass = std::max(0.0, run.payload_mass + p[0]); });
-  add_fitted(all, FaultKind::radius, vector_of({0}), vector_of({1e-3}), [](Run& run, const VectorXd& p) {
-    const double radius = run.radius * std::exp(p[0]);
-    // the ball stays as far below, and time goes on as it does
-    const double below = run.bar_length() * run.bar_length() - run.radius * run.radius;
-    run.bar = std::sqrt(below + radius * radius);
-    run.feed *= radius / run.radius;
-    run.radius = radius;
-  });
-  add_fitted(all, FaultKind::bar_length, vector_of({0}), vector_of({1e-3}), [](Run& run, const VectorXd& p) {
-    // the sine of the angle by which the bar is inclined is what counts
-    const double sine = std::sqrt(std::max(0.0, 1 - std::pow(run.radius / run.bar_length(), 2))) + p[0];
-    run.bar = run.radius / std::sqrt(1 - std::pow(std::clamp(sine, 0.0, 0.95), 2));
-  });
+  add_lengths(all);
   return all;
 }
 
@@ -164,17 +169,17 @@ struct Stack {
   VectorXd left;
 };
 
-Stack stacked(const std::vector<RunRows>& runs) {
+Stack stacked(const std::vector<const RunRows*>& runs) {
   Stack stack;
   Eigen::Index rows = 0;
-  for (const RunRows& run : runs) rows += run.rows();
-  stack.slopes.resize(rows, runs.front().slopes.cols());
+  for (const RunRows* run : runs) rows += run->rows();
+  stack.slopes.resize(rows, runs.front()->slopes.cols());
   stack.left.resize(rows);
   Eigen::Index at = 0;
-  for (const RunRows& run : runs) {
-    stack.slopes.middleRows(at, run.rows()) = run.slopes;
-    stack.left.segment(at, run.rows()) = run.left;
-    at += run.rows();
+  for (const RunRows* run : runs) {
+    stack.slopes.middleRows(at, run->rows()) = run->slopes;
+    stack.left.segment(at, run->rows()) = run->left;
+    at += run->rows();
   }
   return stack;
 }
@@ -182,7 +187,9 @@ Stack stacked(const std::vector<RunRows>& runs) {
 Stack made_rows(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
   std::vector<RunRows> rows;
   for (const std::size_t r : suspects.runs) rows.push_back(suspects.bench.rows(relabelled.made(suspects.all[r], p)));
-  return stacked(rows);
+  std::vector<const RunRows*> each;
+  for (const RunRows& run : rows) each.push_back(&run);
+  return stacked(each);
 }
 
 VectorXd made_left(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
@@ -221,7 +228,62 @@ std::vector<double> found_values(const Suspects& suspects, const Relabelled& rel
   }
 }
 
+double penalty_of(const Suspects& suspects, const Relabelled& relabelled) {
+  return std::log(relabelled.alternatives) +
+         0.5 * static_cast<double>(relabelled.start.size()) * std::log(static_cast<double>(suspects.rows[0]->rows()));
+}
+
+// How the readings go with what is fitted.
+Eigen::MatrixXd slopes_of(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p,
+                          const VectorXd& left) {
+  Eigen::MatrixXd slopes(left.size(), p.size());
+  for (Eigen::Index k = 0; k < p.size(); ++k) {
+    VectorXd moved = p;
+    moved[k] += relabelled.step[k];
+    slopes.col(k) = (left - made_left(suspects, relabelled, moved)) / relabelled.step[k];
+  }
+  return slopes;
+}
+
+// The same with the slopes of the runs as they are stated, from where the best fit then starts.
+Tried fitted(const Suspects& suspects, Relabelled& relabelled, const Prediction& prediction) {
+  constexpr int kSteps = 6;
+  VectorXd p = relabelled.start;
+  std::optional<Tried> best;
+  for (int step = 0; step < kSteps; ++step) {
+    const VectorXd left = made_left(suspects, relabelled, p);
+    const VectorXd off = prediction.off(left);
+    const double chi2 = prediction.product(off, off);
+    if (best && chi2 >= best->chi2) break;
+    const bool settled = best && best->chi2 - chi2 < 1e-3 * chi2;
+    best = Tried{{relabelled.kind, suspects.runs}, chi2, penalty_of(suspects, relabelled)};
+    best->fault.values = found_values(suspects, relabelled, p);
+    relabelled.start = p;
+    if (settled) break;
+    const Eigen::MatrixXd slopes = slopes_of(suspects, relabelled, p, left);
+    p += prediction.products(slopes, slopes).ldlt().solve(prediction.products(slopes, off));
+  }
+  return *best;
+}
+
 }  // namespace
+
+std::vector<Tried> tried_lengths(const Suspects& suspects, bool closely) {
+  std::vector<Relabelled> both;
+  add_lengths(both);
+  std::vector<Tried> all;
+  // a few millimetres turn the slopes by per cents of what they explain
+  const Stack stack = stacked(suspects.rows);
+  const Prediction prediction(suspects.known, stack.slopes);
+  for (Relabelled& relabelled : both) {
+    try {
+      Tried one = fitted(suspects, relabelled, prediction);
+      all.push_back(closely ? tried(suspects, relabelled).value_or(one) : one);
+    } catch (const Refusal&) {  // out of the machine's reach
+    }
+  }
+  return all;
+}
 
 std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelled) {
   constexpr int kSteps = 5;
@@ -241,19 +303,13 @@ std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelle
         best->fault.like = relabelled.like;
       }
       if (p.size() == 0 || !gained || (step > 0 && gain < 1e-3 * chi2)) break;
-      Eigen::MatrixXd slopes(stack.left.size(), p.size());
-      for (Eigen::Index k = 0; k < p.size(); ++k) {
-        VectorXd moved = p;
-        moved[k] += relabelled.step[k];
-        slopes.col(k) = (stack.left - made_left(suspects, relabelled, moved)) / relabelled.step[k];
-      }
+      const Eigen::MatrixXd slopes = slopes_of(suspects, relabelled, p, stack.left);
       p += prediction.products(slopes, slopes).ldlt().solve(prediction.products(slopes, off));
     }
   } catch (const Refusal&) {
     if (!best) return std::nullopt;  // out of the machine's reach
   }
-  best->penalty = std::log(relabelled.alternatives) +
-                  0.5 * static_cast<double>(p.size()) * std::log(static_cast<double>(suspects.rows[0]->rows()));
+  best->penalty = penalty_of(suspects, relabelled);
   return best;
 }
 

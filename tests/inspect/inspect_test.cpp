@@ -154,6 +154,36 @@ TEST_CASE("centres that have another sign in all runs are told") {
   }
 }
 
+TEST_CASE("one line about the bar or the circle that is wrong in all runs is told") {
+  const auto stated = [](double bar_mm, double radius_mm) {
+    Measured measured;
+    const double bar = measured.runs[0].bar_length(), radius = measured.runs[0].radius;
+    for (Run& run : measured.runs) {
+      run.bar = bar + bar_mm * kMm;
+      run.radius += radius_mm * kMm;
+      run.feed *= run.radius / radius;
+    }
+    const inspect::Inspection inspection = measured.inspection();
+    return std::tuple(inspection, bar, radius);
+  };
+  for (const double off : {25.0, 50.0}) {
+    INFO("the bar by " << off << " mm");
+    const auto& [inspection, bar, radius] = stated(off, 0);
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == FaultKind::bar_length);
+    CHECK(inspection.faults[0].all);
+    CHECK(inspection.faults[0].values.at(0) == Approx(bar).margin(0.5 * kMm));
+  }
+  for (const double off : {-20.0, -40.0}) {
+    INFO("the radius by " << off << " mm");
+    const auto& [inspection, bar, radius] = stated(0, off);
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK((inspection.faults[0].kind == FaultKind::radius || inspection.faults[0].kind == FaultKind::bar_length));
+    CHECK(inspection.faults[0].all);
+  }
+  CHECK(std::get<0>(stated(0.3, 0)).faults.empty());  // no more than a model may be off
+}
+
 TEST_CASE("a motor that reads too much in all runs is told") {
   for (const double zero : {0.5, -0.4}) {
     Measured measured;

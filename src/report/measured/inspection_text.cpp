@@ -203,8 +203,10 @@ std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   std::string label = label_text(fault, run, runs);
   const bool place = fault.kind == FaultKind::centre || fault.kind == FaultKind::tilt;
   if (place && fault.runs.size() > 1) label += fmt::format(" in run {}, and so in the others,", run.id);
-  text += fmt::format("{} {} at {:.1f} times the noise instead of {:.1f}", label.empty() ? channels_text(fault) : label,
-                      fault.all || several ? "they are" : "it is", fault.after, fault.before);
+  const int digits = fmt::format("{:.1f}", fault.after) == fmt::format("{:.1f}", fault.before) ? 3 : 1;
+  text +=
+      fmt::format("{} {} at {:.{}f} times the noise instead of {:.{}f}", label.empty() ? channels_text(fault) : label,
+                  fault.all || several ? "they are" : "it is", fault.after, digits, fault.before, digits);
   std::vector<std::string_view> others;
   for (const FaultKind kind : fault.or_these) others.push_back(to_text(kind));
   if (!others.empty()) text += fmt::format("; {} would explain it about as well", fmt::join(others, ", "));
