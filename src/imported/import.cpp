@@ -9,6 +9,7 @@
 #include "base/files/path_of.hpp"
 #include "base/units.hpp"
 #include "imported/circles.hpp"
+#include "imported/taken_rows.hpp"
 #include "measure/dataset_text.hpp"
 
 namespace plumbline::imported {
@@ -225,7 +226,9 @@ class Importer {
     for (std::size_t j = 0; j < run.torque.size(); ++j) {
       run.torque[j] = readings(map_run, number, kReadings[j + 1], turn);
     }
+    check_rows(run, imported_.tables[number], turn.first, map_.samples != 0 && run.samples() > map_.samples);
     drop_missing(run, taken);
+    check_count(run, taken.missing, map_.motors || map_.motors_later != 0);
     average(run);
     for (double& angle : run.angle) angle -= kTurn * std::floor(angle / kTurn + 1e-12);
     if (!run.time.empty()) run.columns.push_back({Column::time, 6});

@@ -161,7 +161,8 @@ class MapReader {
     const std::optional<double> value = number(in, key, least, most);
     if (!value) return std::nullopt;
     if (*value != std::floor(*value))
-      refuse_value(document_, in.find(key)->value, fmt::format("{} is no whole number", key), "count");
+      refuse_value(document_, in.find(key)->value, fmt::format("{} is no whole number", key),
+                   "write it without a decimal point");
     return static_cast<std::size_t>(*value);
   }
 
@@ -187,8 +188,24 @@ class MapReader {
              R"(add [columns], as in radial = {name = "Deviation", unit = "um"})", document_.place(in.span));
     }
     require(document_, columns->value, Kind::table, "columns");
-    for (const TomlEntry& column : columns->value.entries) source.columns.push_back(column_of(column, source.form));
+    for (const TomlEntry& column : columns->value.entries) {
+      source.columns.push_back(column_of(column, source.form));
+      check_once(source, column);
+    }
     return source;
+  }
+
+  // Two quantities of one column: a line that was copied.
+  void check_once(const Source& source, const TomlEntry& entry) const {
+    const ColumnSource& last = source.columns.back();
+    for (const ColumnSource& other : source.columns) {
+      const bool same = last.name.empty() ? other.number == last.number : other.name == last.name;
+      if (&other == &last || !same) continue;
+      const std::string column = last.name.empty() ? fmt::format("column {}", last.number) : last.name;
+      refuse_value(document_, entry.value,
+                   fmt::format("{} is read from {}, and so is {}", entry.key, column, to_text(other.quantity)),
+                   "each quantity has a column of its own: name the other one, or leave this line out");
+    }
   }
 
   void read_form(const TomlValue& in, TableForm& form) const {
@@ -244,7 +261,11 @@ class MapReader {
     column.place = document_.place(entry.key_span);
     column.name = text(entry.value, "name").value_or("");
     column.number = count(entry.value, "column", 1, 10000).value_or(0);
-    if (column.name.empty() == (column.number == 0)) {
+    if (!column.name.empty() && column.number != 0) {
+      refuse_value(document_, entry.value, fmt::format("{}: the column is named and counted, too", entry.key),
+                   "say one of the two, name or column");
+    }
+    if (column.name.empty() && column.number == 0) {
       refuse_value(document_, entry.value, fmt::format("{}: which column is it?", entry.key),
                    "name = \"...\" as the header has it, or column = 3, counted from 1");
     }
@@ -279,6 +300,14 @@ class MapReader {
                    fmt::format("unit = \"{}\"", fmt::join(names, "\", \"")));
     }
     column.unit = *unit;
+    const std::string_view used = *unit == "A" ? "Nm_per_A" : *unit == "percent" ? "rated_Nm" : "period_s";
+    const bool any_used = torque ? *unit == "A" || *unit == "percent" : *unit == "samples";
+    for (const std::string_view factor : {"Nm_per_A", "rated_Nm", "period_s"}) {
+      const TomlEntry* const given = value.find(factor);
+      if (given == nullptr || (any_used && factor == used)) continue;
+      refuse("import-key", fmt::format("{}: {} says nothing of readings in {}", entry.key, factor, *unit),
+             "correct the unit, or leave this factor out", document_.place(given->key_span));
+    }
     const auto needs = [&](std::string_view key, std::string_view why) {
       const auto factor = number(value, key, 1e-9, 1e6);
       if (!factor)

@@ -36,6 +36,7 @@ enum class FaultKind {
   noisy,       // or is noisier than in other runs
   // the records
   same_readings,  // two runs have the same readings
+  motors_alike,   // two motors have the same readings
   spikes,
   gaps,
   unreachable,  // the machine cannot stand there

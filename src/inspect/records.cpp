@@ -6,24 +6,13 @@
 #include <map>
 
 #include "identify/equations/run_model.hpp"
+#include "inspect/alike.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
 namespace {
 
 using measure::Run;
-
-// The least step between two different values: what is less than that is no difference.
-double resolution(const std::vector<double>& values) {
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  double least = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    const double step = sorted[i] - sorted[i - 1];
-    if (step > 1e-12 && (least == 0 || step < least)) least = step;
-  }
-  return least;
-}
 
 // The four neighbours of a sample: what a cubic through them is there, which has the slope and the bend of a circle,
 // and how far they are off a line and off a parabola.
@@ -127,22 +116,6 @@ bool is_coarse(const Standing& standing, std::size_t samples) {
   return (standing.values > 1 && standing.values < kFewValues) || kTopToRest * standing.elsewhere >= standing.longest;
 }
 
-bool same_readings(const Run& a, const Run& b, const RecordOptions& options) {
-  if (a.samples() != b.samples()) return false;
-  std::size_t alike = 0;
-  std::size_t compared = 0;
-  for (int c = 0; c < identify::kChannels; ++c) {
-    const std::vector<double>& one = readings_of_channel(a, c);
-    const std::vector<double>& other = readings_of_channel(b, c);
-    if (one.size() != other.size()) return false;
-    compared += one.size();
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      if (one[i] == other[i]) ++alike;
-    }
-  }
-  return compared > 0 && static_cast<double>(alike) > options.same_readings * static_cast<double>(compared);
-}
-
 Fault record_fault(FaultKind kind, std::size_t run, std::vector<double> values, bool blocks) {
   Fault fault{kind, {run}};
   fault.values = std::move(values);
@@ -165,17 +138,16 @@ void add_channel_faults(const Run& run, std::size_t number, const RecordOptions&
   }
 }
 
-// What the angles and times of its table say of the feed, m/s.
-double feed_of(const Run& run) {
-  double way = 0;
-  for (std::size_t i = 1; i < run.samples(); ++i) way += step_of(run, i);
-  return way * run.radius / (run.time.back() - run.time.front());
-}
-
 }  // namespace
 
 const std::vector<double>& readings_of_channel(const Run& run, int channel) {
   return channel == identify::kRadial ? run.radial : run.torque.at(static_cast<std::size_t>(channel) - 1);
+}
+
+double rate_of(const Run& run) {
+  double way = 0;
+  for (std::size_t i = 1; i < run.samples(); ++i) way += step_of(run, i);
+  return way / (run.time.back() - run.time.front());
 }
 
 std::vector<std::size_t> spikes_in(const Run& run, const RecordOptions& options) {
@@ -192,7 +164,8 @@ std::vector<std::size_t> spikes_in(const Run& run, const RecordOptions& options)
 }
 
 std::vector<Fault> record_faults(const std::vector<Run>& runs, const RecordOptions& options) {
-  std::vector<Fault> faults;
+  std::vector<Fault> faults = motors_alike(runs, options.same_readings);
+  const AlikeRuns alike(runs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Run& run = runs[r];
     const std::vector<std::size_t> spikes = spikes_in(run, options);
@@ -210,11 +183,11 @@ std::vector<Fault> record_faults(const std::vector<Run>& runs, const RecordOptio
       faults.push_back(record_fault(direction ? FaultKind::direction : FaultKind::feed, r,
                                     direction ? std::vector<double>{} : std::vector<double>{run.feed}, true));
     }
-    if (const double feed = feed_of(run); std::abs(feed / run.feed - 1) > options.feed) {
+    if (const double feed = rate_of(run) * run.radius; std::abs(feed / run.feed - 1) > options.feed) {
       faults.push_back(record_fault(FaultKind::feed, r, {feed}, true));
     }
     for (std::size_t k = 0; k < r; ++k) {
-      if (!same_readings(runs[k], run, options)) continue;
+      if (!alike.alike(k, r, options.same_readings)) continue;
       faults.push_back(record_fault(FaultKind::same_readings, r, {}, true));
       faults.back().runs.push_back(k);  // which of them is the wrong one records do not tell
       faults.back().like = k;

@@ -25,6 +25,9 @@ struct RecordOptions {
 /// The readings of a channel; empty: not measured.
 const std::vector<double>& readings_of_channel(const measure::Run& run, int channel);
 
+/// How fast a run goes around as its angles and times have it, rad/s.
+double rate_of(const measure::Run& run);
+
 /// Samples with a spike in any channel, ascending.
 std::vector<std::size_t> spikes_in(const measure::Run& run, const RecordOptions& options = {});
 

@@ -130,6 +130,16 @@ std::string_view larger_unit(double per_um) {
   return per_um < 1e-3 ? "inches" : "thousandths of an inch";
 }
 
+std::string gaps_text(double gap, double empty) {
+  std::string text;
+  if (gap > 0) text = fmt::format("there is a gap of {:.0f} deg", gap / kDeg);
+  if (empty > 0) {
+    text += fmt::format("{}{:.0f} {} without a reading {} left out", text.empty() ? "" : ", ", empty,
+                        empty == 1 ? "row" : "rows", empty == 1 ? "is" : "are");
+  }
+  return text;
+}
+
 std::string record_text(const Fault& fault, const Run& run, const std::vector<Run>& runs) {
   const double value = fault.values.empty() ? 0 : fault.values[0];
   const std::string of = channel_text(fault.channels);
@@ -146,17 +156,12 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
       return fmt::format("{} is {:.1f} times as noisy as in other runs", of, value);
     case FaultKind::same_readings:
       return fmt::format("it has the same readings as run {}", runs[fault.like].id);
+    case FaultKind::motors_alike:
+      return fmt::format("motor {} has the same readings as motor {}", fault.channels.at(0), fault.channels.at(1));
     case FaultKind::spikes:
       return fmt::format("{:.0f} {} left out as spikes", value, value == 1 ? "sample is" : "samples are");
-    case FaultKind::gaps: {
-      std::string text;
-      if (value > 0) text = fmt::format("there is a gap of {:.0f} deg", value / kDeg);
-      if (const double empty = fault.values.at(1); empty > 0) {
-        text += fmt::format("{}{:.0f} {} without a reading {} left out", text.empty() ? "" : ", ", empty,
-                            empty == 1 ? "row" : "rows", empty == 1 ? "is" : "are");
-      }
-      return text;
-    }
+    case FaultKind::gaps:
+      return gaps_text(value, fault.values.at(1));
     case FaultKind::periodic:
       return periodic_text(fault);
     case FaultKind::noise:
@@ -192,7 +197,8 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
 
 std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   const Run& run = runs[fault.runs.front()];
-  const bool several = !fault.all && fault.after > 0 && fault.runs.size() > 1;
+  const bool of_each = fault.after > 0 || fault.kind == FaultKind::periodic || fault.kind == FaultKind::motors_alike;
+  const bool several = !fault.all && of_each && fault.runs.size() > 1;
   std::string text = fault.all ? "all runs: " : fmt::format("run {}: ", run.id);
   if (several) {
     text = fmt::format("runs {}: ", runs_text(fault.runs, runs));

@@ -59,6 +59,12 @@ TEST_CASE("what records say by themselves, and what is periodic in time") {
   CHECK(report::fault_text(spikes, runs_04_and_05()) == "run 05: 2 samples are left out as spikes");
   Fault same{FaultKind::same_readings, {1}};
   CHECK(report::fault_text(same, runs_04_and_05()) == "run 05: it has the same readings as run 04");
+  Fault copied{FaultKind::motors_alike, {1}, false, {3, 2}};
+  CHECK(report::fault_text(copied, runs_04_and_05()) == "run 05: motor 3 has the same readings as motor 2");
+  copied.runs = {0, 1};
+  CHECK(says(copied, "runs 04, 05: motor 3 has the same"));
+  copied.all = true;
+  CHECK(report::fault_text(copied, runs_04_and_05()) == "all runs: motor 3 has the same readings as motor 2");
   Fault periodic{FaultKind::periodic, {0, 1}, true, {0}, {4.37, 1.5e-6, 2.2, 0.5}};
   CHECK(report::fault_text(periodic, runs_04_and_05()).find("all runs: a periodic disturbance at 4.370 Hz") == 0);
   CHECK(says(periodic, "along 29 deg from +X"));
