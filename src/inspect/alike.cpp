@@ -80,7 +80,10 @@ bool AlikeRuns::alike_by_angle(std::size_t few, std::size_t many, double share) 
   const std::size_t samples = turns_[few].angle.size();
   const std::size_t step = std::max<std::size_t>(1, samples / kLooked);
   const double tolerance = std::min(kSameAngle, 0.1 * kTurn / static_cast<double>(turn.angle.size()));
-  std::size_t looked = 0, met = 0, compared = 0, same = 0;
+  std::size_t looked = 0;
+  std::size_t met = 0;
+  std::size_t compared = 0;
+  std::size_t same = 0;
   for (std::size_t k = 0; k < samples; k += step) {
     ++looked;
     const double angle = turns_[few].angle[k];

@@ -123,6 +123,8 @@ std::optional<Fault> likelier(std::optional<Fault> of_all, std::optional<Fault> 
   return of_all->nats >= of_some->nats ? of_all : of_some;
 }
 
+bool is_length(FaultKind kind) { return kind == FaultKind::radius || kind == FaultKind::bar_length; }
+
 constexpr double kNoEffects = 1e-6;  // of the bounds of effects that are taken to be absent
 
 class Inspector {
@@ -205,7 +207,7 @@ class Inspector {
       }
     }
     if (!fault) return std::nullopt;
-    if (fault->kind == FaultKind::radius || fault->kind == FaultKind::bar_length) {
+    if (is_length(fault->kind)) {
       for (const Tried& one : tried_lengths(suspects, true)) {
         if (one.fault.kind == fault->kind) fault->values = one.fault.values;
       }
@@ -240,7 +242,7 @@ class Inspector {
     fault.before = std::sqrt(before / static_cast<double>(rows));
     fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
     const double fine = noise_found.with_memory();
-    const bool length = best.fault.kind == FaultKind::radius || best.fault.kind == FaultKind::bar_length;
+    const bool length = is_length(best.fault.kind);
     const double least = length ? std::min(fine, best.chi2) : fine;  // what is not to be had by a number alone
     const double left = std::max(0.0, best.chi2 - least);
     const double excess = before - least;

@@ -35,7 +35,8 @@ void add_spikes(const std::vector<double>& values, double least_noise, bool clos
   const std::size_t n = values.size();
   if (n < 16) return;
   std::vector<Neighbours> neighbours;
-  std::vector<double> sizes, bends;
+  std::vector<double> sizes;
+  std::vector<double> bends;
   const std::size_t edge = closed ? 0 : 2;
   for (std::size_t i = edge; i + edge < n; ++i) {
     const Neighbours& of = neighbours.emplace_back(

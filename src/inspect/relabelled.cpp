@@ -266,7 +266,7 @@ Tried fitted(const Suspects& suspects, Relabelled& relabelled, const Prediction&
     const VectorXd left = made_left(suspects, relabelled, p);
     const VectorXd off = prediction.off(left);
     const double chi2 = prediction.product(off, off);
-    if (best && chi2 >= best->chi2) break;
+    if (best && !(chi2 < best->chi2)) break;
     const bool settled = best && best->chi2 - chi2 < 1e-3 * chi2;
     best = Tried{{relabelled.kind, suspects.runs}, chi2, penalty_of(suspects, relabelled)};
     best->fault.values = found_values(suspects, relabelled, p);
@@ -281,9 +281,10 @@ Tried fitted(const Suspects& suspects, Relabelled& relabelled, const Prediction&
 }  // namespace
 
 std::vector<Tried> tried_lengths(const Suspects& suspects, bool closely) {
+  std::vector<Tried> all;
+  if (suspects.rows.empty()) return all;
   std::vector<Relabelled> both;
   add_lengths(both);
-  std::vector<Tried> all;
   // a few millimetres turn the slopes by per cents of what they explain
   const Stack stack = stacked(suspects.rows);
   const Prediction prediction(suspects.known, stack.slopes);
