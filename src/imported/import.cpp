@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -15,7 +14,6 @@
 namespace plumbline::imported {
 namespace {
 
-namespace fs = std::filesystem;
 using measure::Column;
 using measure::Run;
 
