@@ -300,11 +300,13 @@ class MapReader {
                    fmt::format("unit = \"{}\"", fmt::join(names, "\", \"")));
     }
     column.unit = *unit;
-    const std::string_view used = *unit == "A" ? "Nm_per_A" : *unit == "percent" ? "rated_Nm" : "period_s";
-    const bool any_used = torque ? *unit == "A" || *unit == "percent" : *unit == "samples";
+    const std::string_view used = torque && *unit == "A"                                    ? "Nm_per_A"
+                                  : torque && *unit == "percent"                            ? "rated_Nm"
+                                  : column.quantity == Quantity::time && *unit == "samples" ? "period_s"
+                                                                                            : "";
     for (const std::string_view factor : {"Nm_per_A", "rated_Nm", "period_s"}) {
       const TomlEntry* const given = value.find(factor);
-      if (given == nullptr || (any_used && factor == used)) continue;
+      if (given == nullptr || factor == used) continue;
       refuse("import-key", fmt::format("{}: {} says nothing of readings in {}", entry.key, factor, *unit),
              "correct the unit, or leave this factor out", document_.place(given->key_span));
     }

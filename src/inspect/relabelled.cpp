@@ -7,6 +7,7 @@
 #include "inspect/hypothesis.hpp"
 #include "inspect/records.hpp"
 #include "inspect/statistics.hpp"
+#include "measure/run_table.hpp"
 
 namespace plumbline::inspect {
 namespace {
@@ -61,21 +62,15 @@ void add_centres(std::vector<Relabelled>& all) {
              [](Run& run, const VectorXd& p) { run.centre_W += p; });
 }
 
-// Times and angles of a table are measured both, so that they say how fast it went.
-bool has_rate(const Run& run) {
-  const auto has = [&](measure::Column column) {
-    return std::any_of(run.columns.begin(), run.columns.end(),
-                       [&](const measure::TableColumn& one) { return one.column == column; });
-  };
-  return has(measure::Column::time) && has(measure::Column::angle);
-}
-
 // What is said of one run belongs to another one.
 void add_exchanges(std::vector<Relabelled>& all, const Suspects& suspects) {
   if (suspects.runs.size() != 1) return;
   const Run& own = suspects.all[suspects.runs[0]];
   const auto others = static_cast<double>(suspects.all.size());
-  const double rate = has_rate(own) ? rate_of(own) : 0;
+  // times and angles that are both measured say how fast it went
+  const bool timed =
+      measure::has_column(own, measure::Column::time) && measure::has_column(own, measure::Column::angle);
+  const double rate = timed ? rate_of(own) : 0;
   for (std::size_t k = 0; k < suspects.all.size(); ++k) {
     const Run& other = suspects.all[k];
     const bool same_pose = (other.centre_W - own.centre_W).norm() + (other.tilt - own.tilt).norm() < 1e-9;

@@ -45,11 +45,6 @@ auto& values_of(AnyRun& run, Column column) {
   }
 }
 
-bool has(const Run& run, Column column) {
-  return std::any_of(run.columns.begin(), run.columns.end(),
-                     [&](const TableColumn& there) { return there.column == column; });
-}
-
 // Instruments write these where they have no reading. Where a sample was taken must be known.
 const CsvField* empty_reading(const std::vector<TableColumn>& columns, const std::vector<CsvField>& fields) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -114,7 +109,7 @@ class TableReader {
                                              [&](const ColumnSpec& spec) { return spec.name == field.text; });
       if (known == kColumns.end()) refuse_unknown(field);
       const auto column = static_cast<Column>(known - kColumns.begin());
-      if (has(run_, column)) {
+      if (has_column(run_, column)) {
         refuse("table-same-column", fmt::format("there are two columns {}", field.text), "leave one of them out",
                lines_.place(field));
       }
@@ -132,14 +127,14 @@ class TableReader {
   }
 
   void check_header() const {
-    if (!has(run_, Column::time) && !has(run_, Column::angle)) {
+    if (!has_column(run_, Column::time) && !has_column(run_, Column::angle)) {
       refuse("table-missing-column", "there is neither a column angle_deg nor a column time_s",
              "one of them says where on the circle each sample was taken", header_);
     }
     std::string missing;
     std::size_t torques = 0;
     for (std::size_t j = kFirstTorque; j < kColumnCount; ++j) {
-      if (has(run_, static_cast<Column>(j))) {
+      if (has_column(run_, static_cast<Column>(j))) {
         ++torques;
       } else {
         missing += fmt::format("{}{}", missing.empty() ? "" : ", ", kColumns[j].name);
@@ -149,7 +144,7 @@ class TableReader {
       refuse("table-missing-column", fmt::format("torques are given in part: {} is missing", missing),
              "give the torques of all six struts, or of none", header_);
     }
-    if (torques == 0 && !has(run_, Column::radial)) {
+    if (torques == 0 && !has_column(run_, Column::radial)) {
       refuse("table-missing-column", "nothing was measured: there is neither radial_um nor a torque",
              "add the column radial_um (bar reading minus bar length), the columns torque1_Nm to torque6_Nm, or both",
              header_);
@@ -292,6 +287,11 @@ class TableReader {
 };
 
 }  // namespace
+
+bool has_column(const Run& run, Column column) {
+  return std::any_of(run.columns.begin(), run.columns.end(),
+                     [&](const TableColumn& there) { return there.column == column; });
+}
 
 void read_run_table(const std::string& path, Run& run, const TableOptions& options) {
   TableReader(path, run, options).read();

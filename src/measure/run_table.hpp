@@ -23,6 +23,9 @@ struct TableOptions {
 /// table-feed, at the row and column.
 void read_run_table(const std::string& path, Run& run, const TableOptions& options = {});
 
+/// Whether the table of a run has a column; time or angle that follow from the feed have none.
+bool has_column(const Run& run, Column column);
+
 /// The table as text: its columns in their order, as many decimals as they had, measured quantities at least as many as
 /// a simulation deserves (um: 4, N m: 5).
 std::string run_table_text(const Run& run);

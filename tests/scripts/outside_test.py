@@ -26,7 +26,7 @@ def as_there(build):
 
 
 def compilations(folder):
-    """Object, named from `folder` -> the words of its command, the folder's own name left out."""
+    """Object, named from `folder` -> the words of its command."""
     commands = {}
     for entry in json.loads((folder / "compile_commands.json").read_text()):
         words = shlex.split(entry["command"])
@@ -39,9 +39,9 @@ def check_main(words):
     assert flags - {"-DNDEBUG", "-std=gnu++17"} == {f"-I{ROOT}/include", "-DPLUMBLINE_STATIC"}, flags
 
 
-def take(build, folder):
+def take(own, build, folder):
     """Puts the objects of `build` where `folder` would compile them to, the commands being the same."""
-    own, there = compilations(folder), compilations(build)
+    there = compilations(build)
     taken = 0
     for object_name, words in own.items():
         if "outside.dir" in object_name:
@@ -84,7 +84,7 @@ def main(build):
         assert "nc_test" not in targets, "tests are built for a project that did not ask for them"
         install = (folder / "cmake_install.cmake").read_text()
         assert "libplumbline" not in install, "plumbline is installed by a project that did not ask for it"
-        taken = take(build, folder)
+        taken = take(own, build, folder)
         if any(re.match("-DPLUMBLINE_SANITIZE=.", setting) for setting in settings):
             return 0  # what is sanitized links with what is sanitized
         assert 20 < link(folder) <= taken, "some objects were not there"
