@@ -127,4 +127,13 @@ auto segment(Readings& readings, const RunRows& rows, int channel) {
   return readings.segment(*rows.raw.first_row(channel), rows.raw.samples);
 }
 
+/// The readings with those of some channels multiplied.
+inline Eigen::VectorXd scaled(const RunRows& rows, const std::vector<int>& channels, double by) {
+  Eigen::VectorXd readings = rows.measured;
+  for (const int channel : channels) {
+    if (rows.raw.first_row(channel)) segment(readings, rows, channel) *= by;
+  }
+  return readings;
+}
+
 }  // namespace plumbline::inspect

@@ -5,7 +5,7 @@
 
 #include "inspect/channel_rows.hpp"
 #include "inspect/hypothesis.hpp"
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
@@ -20,39 +20,9 @@ using measure::Run;
 
 constexpr double kUnitLeast = 0.65, kUnitMost = 1.5;  // factors between these may be the machine's own
 
-// Readings of a bar come in steps of 0.1 um at best [Renishaw, QC20-W: resolution]; noise below that is of another
-// unit:
-constexpr double kFinestBar = 0.02e-6;                               // m, 1 sigma from sample to sample
-constexpr std::array kLargerUnits{1e-3, 1 / 25.4, 1 / 25.4 * 1e-3};  // mm, thousandths of an inch, inches
-
 constexpr double kSmoothed = 1.5;  // times chi-square that readings between samples may hide
 
-constexpr double kUnitLeaves = 0.5;    // of the misfit in the unit that was said, that another unit may leave
-constexpr double kLargerLeaves = 0.3;  // and a larger one of all runs, where no effect may make up for it
-
-VectorXd scaled(const RunRows& rows, const std::vector<int>& channels, double by) {
-  VectorXd readings = rows.measured;
-  for (const int channel : channels) {
-    if (rows.raw.first_row(channel)) segment(readings, rows, channel) *= by;
-  }
-  return readings;
-}
-
-// The unit of which readings of the bar are about the part of what is predicted.
-std::optional<double> larger_unit(const Channels& channels) {
-  const double factor = channels.factor({kRadial});
-  for (const double unit : kLargerUnits) {
-    if (factor >= kUnitLeast * unit && factor <= kUnitMost * unit) return unit;
-  }
-  return std::nullopt;
-}
-
-Fault bar_in(const Suspects& suspects, std::vector<double> values) {
-  Fault fault{FaultKind::bar_unit, suspects.runs};
-  fault.channels = {kRadial};
-  fault.values = std::move(values);
-  return fault;
-}
+constexpr double kUnitLeaves = 0.5;  // of the misfit in the unit that was said, that another unit may leave
 
 Tried made(const Channels& channels, FaultKind kind, std::vector<int> about, double chi2, double penalty,
            std::vector<double> values = {}) {
@@ -306,35 +276,6 @@ std::optional<Drift> drift_of(const Suspects& suspects) {
   });
   const auto added = channels.added(column);
   return Drift{added[0].gain, added[0].size};
-}
-
-std::optional<Fault> finer_than_any_bar(const Suspects& suspects) {
-  const Channels channels(suspects);
-  if (!channels.has(kRadial)) return std::nullopt;
-  double squares = 0;
-  Index count = 0;
-  for (const RunRows* run : suspects.rows) {
-    if (!run->raw.first_row(kRadial)) continue;
-    const VectorXd readings = segment(run->measured, *run, kRadial);
-    squares += (readings.tail(readings.size() - 1) - readings.head(readings.size() - 1)).squaredNorm() / 2;
-    count += readings.size() - 1;
-  }
-  const double noise = std::sqrt(squares / static_cast<double>(std::max<Index>(1, count)));
-  const std::optional<double> unit = larger_unit(channels);
-  if (!unit || noise >= kFinestBar) return std::nullopt;
-  return bar_in(suspects, {*unit, noise});
-}
-
-std::optional<Fault> fits_in_larger_unit(const Suspects& suspects) {
-  const Channels channels(suspects);
-  if (!channels.has(kRadial)) return std::nullopt;
-  const std::optional<double> unit = larger_unit(channels);
-  if (!unit) return std::nullopt;
-  const VectorXd readings =
-      channels.whitened([&](std::size_t, const RunRows& run) { return scaled(run, {kRadial}, 1 / *unit); });
-  const double left = *unit * *unit * channels.chi2_of(readings, {kRadial});
-  if (left > kLargerLeaves * channels.chi2_of(channels.measured(), {kRadial})) return std::nullopt;
-  return bar_in(suspects, {*unit});
 }
 
 double chi2_as_stated(const Suspects& suspects) { return Channels(suspects).chi2(); }

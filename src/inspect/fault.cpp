@@ -7,16 +7,12 @@ namespace plumbline::inspect {
 
 std::string_view to_text(FaultKind kind) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(FaultKind::stands_out) + 1> kNames{
-      "direction",      "angle-zero",   "centre",
-      "tilt",           "payload",      "radius",
-      "bar-length",     "feed",         "exchanged",
-      "bar-sign",       "bar-unit",     "motor-sign",
-      "motors-swapped", "torque-unit",  "clock",
-      "drift",          "bar-step",     "motor-zero",
-      "stuck",          "clipped",      "noisy",
-      "same-readings",  "motors-alike", "spikes",
-      "gaps",           "unreachable",  "periodic-disturbance",
-      "noise",          "stands-out"};
+      "direction",       "angle-zero",   "centre",    "tilt",     "payload",     "radius",
+      "bar-length",      "feed",         "exchanged", "bar-sign", "bar-unit",    "motor-sign",
+      "motors-swapped",  "torque-unit",  "clock",     "drift",    "bar-step",    "motor-zero",
+      "motors-unsigned", "motor-silent", "stuck",     "clipped",  "noisy",       "same-readings",
+      "motors-alike",    "start",        "spikes",    "gaps",     "unreachable", "periodic-disturbance",
+      "noise",           "stands-out"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

@@ -27,16 +27,19 @@ enum class FaultKind {
   motor_sign,
   motors_swapped,
   torque_unit,
-  clock,       // of the motors beside the bar's
-  drift,       // of the bar within a run
-  bar_step,    // the bar slipped
-  motor_zero,  // a torque is off by a constant
-  stuck,       // a channel stands still
-  clipped,     // or stands at its end
-  noisy,       // or is noisier than in other runs
+  clock,            // of the motors beside the bar's
+  drift,            // of the bar within a run
+  bar_step,         // the bar slipped
+  motor_zero,       // a torque is off by a constant
+  motors_unsigned,  // the sizes of the torques, without their signs
+  motor_silent,     // noise, and nothing of the way
+  stuck,            // a channel stands still
+  clipped,          // or stands at its end
+  noisy,            // or is noisier than in other runs
   // the records
   same_readings,  // two runs have the same readings
   motors_alike,   // two motors have the same readings
+  start,          // runs are said to go on while the next ones begin
   spikes,
   gaps,
   unreachable,  // the machine cannot stand there

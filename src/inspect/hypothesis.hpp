@@ -45,9 +45,9 @@ std::vector<std::function<void(measure::Run&)>> centre_slips();
 
 /// Everything that may have been said wrongly.
 std::vector<Relabelled> relabellings(const Suspects& suspects);
-/// One radius, or one length of the bar, that was said wrongly of all suspects. `closely`: to the last digit, which
-/// takes as long as all else.
-std::vector<Tried> tried_lengths(const Suspects& suspects, bool closely = false);
+/// One radius, one length of the bar, or one angle zero, that was said wrongly of all suspects by a little. `closely`:
+/// to the last digit, which takes as long as all else.
+std::vector<Tried> tried_alike(const Suspects& suspects, bool closely = false);
 /// All payloads times one factor, fitted.
 Relabelled payload_factor();
 /// Nothing: the machine cannot make such a run, or the fit leads nowhere.
@@ -69,6 +69,9 @@ std::optional<Fault> finer_than_any_bar(const Suspects& suspects);
 /// Runs of a machine that has nothing but its model and the priors of that: the bar reads the part of what is predicted
 /// that a larger unit leaves, and in that unit fits far better. The number of um of the unit inverted.
 std::optional<Fault> fits_in_larger_unit(const Suspects& suspects);
+
+/// No torque is negative, and they follow the size of what the model predicts far better than that itself.
+std::optional<Fault> has_no_signs(const Suspects& suspects);
 
 /// What a channel may hold instead of what it says: signs, units, channels exchanged, steps and drifts.
 std::vector<Tried> tried_channels(const Suspects& suspects);

@@ -123,7 +123,10 @@ std::optional<Fault> likelier(std::optional<Fault> of_all, std::optional<Fault> 
   return of_all->nats >= of_some->nats ? of_all : of_some;
 }
 
-bool is_length(FaultKind kind) { return kind == FaultKind::radius || kind == FaultKind::bar_length; }
+// What one line, copied to all runs, may say a little wrongly.
+bool is_alike(FaultKind kind) {
+  return kind == FaultKind::radius || kind == FaultKind::bar_length || kind == FaultKind::angle_zero;
+}
 
 constexpr double kNoEffects = 1e-6;  // of the bounds of effects that are taken to be absent
 
@@ -189,11 +192,12 @@ class Inspector {
     const Knowledge nothing(wide_);
     const Suspects suspects = agreeing(looked, outliers, nothing);
     std::optional<Fault> fault = finer_than_any_bar(suspects);
-    std::vector<Tried> of_lengths;
+    if (!fault) fault = has_no_signs(suspects);
+    std::vector<Tried> of_alike;
     if (!fault) {
       std::vector<Tried> all = labels ? everything_tried(suspects) : tried_channels(suspects);
-      of_lengths = tried_lengths(suspects);
-      all.insert(all.end(), of_lengths.begin(), of_lengths.end());
+      of_alike = tried_alike(suspects);
+      all.insert(all.end(), of_alike.begin(), of_alike.end());
       fault = likeliest_of_all(looked, suspects, std::move(all), noise_found);
     }
     if (!fault) {
@@ -202,13 +206,13 @@ class Inspector {
       const Knowledge bare(prior_of(candidates_, kNoEffects));
       const Suspects of_bare = agreeing(looked, outliers, bare);
       fault = fits_in_larger_unit(of_bare);
-      if (!fault && gains(suspects, of_lengths)) {
-        fault = likeliest_of_all(looked, of_bare, tried_lengths(of_bare), noise_found);
+      if (!fault && gains(suspects, of_alike)) {
+        fault = likeliest_of_all(looked, of_bare, tried_alike(of_bare), noise_found);
       }
     }
     if (!fault) return std::nullopt;
-    if (is_length(fault->kind)) {
-      for (const Tried& one : tried_lengths(suspects, true)) {
+    if (is_alike(fault->kind)) {
+      for (const Tried& one : tried_alike(suspects, true)) {
         if (one.fault.kind == fault->kind) fault->values = one.fault.values;
       }
     }
@@ -242,8 +246,8 @@ class Inspector {
     fault.before = std::sqrt(before / static_cast<double>(rows));
     fault.after = std::sqrt(best.chi2 / static_cast<double>(rows));
     const double fine = noise_found.with_memory();
-    const bool length = is_length(best.fault.kind);
-    const double least = length ? std::min(fine, best.chi2) : fine;  // what is not to be had by a number alone
+    const bool alike = is_alike(best.fault.kind);
+    const double least = alike ? std::min(fine, best.chi2) : fine;  // what is not to be had by a number alone
     const double left = std::max(0.0, best.chi2 - least);
     const double excess = before - least;
     // as with one run: it takes away most of what is off, and leaves little more than noise
@@ -251,7 +255,7 @@ class Inspector {
     if (before - best.chi2 < options_.explained * (before - noise_found.expected({}))) return std::nullopt;
     if (best.chi2 > options_.near * expected) return std::nullopt;
     // what may be off by a little must explain most of what is off; a sign cannot be a little wrong
-    const bool by_degrees = best.fault.kind == FaultKind::clock || best.fault.kind == FaultKind::angle_zero || length;
+    const bool by_degrees = best.fault.kind == FaultKind::clock || alike;
     if (by_degrees && left > options_.all_explained * excess) return std::nullopt;
     // and has no number that could be fitted to what the model lacks. But where much stays open with it, an effect that
     // no catalogue has may prefer the other sign of a bar, which reads little

@@ -4,7 +4,7 @@
 #include "base/units.hpp"
 #include "inspect/fault.hpp"
 #include "inspect/outliers.hpp"
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 
 namespace plumbline::inspect {
 

@@ -5,7 +5,7 @@
 #include "base/diagnostic.hpp"
 #include "base/units.hpp"
 #include "inspect/hypothesis.hpp"
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 #include "inspect/statistics.hpp"
 #include "measure/run_table.hpp"
 
@@ -109,6 +109,7 @@ void add_lengths(std::vector<Relabelled>& all) {
   });
 }
 
+// From several starts around.
 void add_angle_zeros(std::vector<Relabelled>& all, int starts) {
   for (int k = 0; k < starts; ++k) {
     const double start = kTurn * k / starts;
@@ -275,15 +276,16 @@ Tried fitted(const Suspects& suspects, Relabelled& relabelled, const Prediction&
 
 }  // namespace
 
-std::vector<Tried> tried_lengths(const Suspects& suspects, bool closely) {
+std::vector<Tried> tried_alike(const Suspects& suspects, bool closely) {
   std::vector<Tried> all;
   if (suspects.rows.empty()) return all;
-  std::vector<Relabelled> both;
-  add_lengths(both);
+  std::vector<Relabelled> list;
+  add_lengths(list);
+  add_angle_zeros(list, 1);
   // a few millimetres turn the slopes by per cents of what they explain
   const Stack stack = stacked(suspects.rows);
   const Prediction prediction(suspects.known, stack.slopes);
-  for (Relabelled& relabelled : both) {
+  for (Relabelled& relabelled : list) {
     try {
       Tried one = fitted(suspects, relabelled, prediction);
       all.push_back(closely ? tried(suspects, relabelled).value_or(one) : one);

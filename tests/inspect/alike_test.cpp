@@ -1,4 +1,4 @@
-#include "inspect/alike.hpp"
+#include "inspect/records/alike.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 #include "inspect/spoiled.hpp"
 
 using namespace plumbline;

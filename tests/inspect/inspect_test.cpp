@@ -155,13 +155,14 @@ TEST_CASE("centres that have another sign in all runs are told") {
 }
 
 TEST_CASE("one line about the bar or the circle that is wrong in all runs is told") {
-  const auto stated = [](double bar_mm, double radius_mm) {
+  const auto stated = [](double bar_mm, double radius_mm, double turned_deg = 0) {
     Measured measured;
     const double bar = measured.runs[0].bar_length(), radius = measured.runs[0].radius;
     for (Run& run : measured.runs) {
       run.bar = bar + bar_mm * kMm;
       run.radius += radius_mm * kMm;
       run.feed *= run.radius / radius;
+      for (double& angle : run.angle) angle += turned_deg * kDeg;
     }
     const inspect::Inspection inspection = measured.inspection();
     return std::tuple(inspection, bar, radius);
@@ -181,7 +182,33 @@ TEST_CASE("one line about the bar or the circle that is wrong in all runs is tol
     CHECK((inspection.faults[0].kind == FaultKind::radius || inspection.faults[0].kind == FaultKind::bar_length));
     CHECK(inspection.faults[0].all);
   }
-  CHECK(std::get<0>(stated(0.3, 0)).faults.empty());  // no more than a model may be off
+  for (const double off : {5.0, -4.0, 11.0}) {
+    INFO("the angles by " << off << " deg");
+    const auto& [inspection, bar, radius] = stated(0, 0, off);
+    REQUIRE(inspection.faults.size() == 1);
+    CHECK(inspection.faults[0].kind == FaultKind::angle_zero);
+    CHECK(inspection.faults[0].all);
+    CHECK(inspection.faults[0].values.at(0) == Approx(-off * kDeg).margin(0.5 * kDeg));
+  }
+  CHECK(std::get<0>(stated(0.3, 0, 0.3)).faults.empty());  // no more than a model may be off
+}
+
+TEST_CASE("torques that have lost their signs are told") {
+  Measured measured;
+  const std::vector<Run> signed_ones = measured.runs;
+  for (Run& run : measured.runs) {
+    for (std::vector<double>& torque : run.torque) {
+      for (double& value : torque) value = std::abs(value);
+    }
+  }
+  const inspect::Inspection inspection = measured.inspection();
+  REQUIRE(inspection.faults.size() == 1);
+  CHECK(inspection.faults[0].kind == FaultKind::motors_unsigned);
+  CHECK(inspection.faults[0].all);
+  CHECK(inspection.blocks());
+  // one that is negative says that there are signs
+  for (std::size_t r = 0; r < signed_ones.size(); ++r) measured.runs[r].torque[4] = signed_ones[r].torque[4];
+  for (const inspect::Fault& fault : measured.inspection().faults) CHECK(fault.kind != FaultKind::motors_unsigned);
 }
 
 TEST_CASE("a motor that reads too much in all runs is told") {

@@ -1,4 +1,4 @@
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -170,4 +170,47 @@ TEST_CASE("a feed that the times do not have, and what a table says otherwise th
   CHECK(faults[0].kind == FaultKind::feed);
   CHECK(faults[0].values.at(0) == Approx(measured.runs[0].feed / 1.1));
   CHECK(faults[1].kind == FaultKind::direction);
+}
+
+TEST_CASE("a motor that reads noise in all runs is told") {
+  for (const double sigma : {0.02, 3.0}) {
+    CAPTURE(sigma);
+    Measured measured;
+    Random random(11);
+    std::normal_distribution<double> noise(0, sigma);
+    const auto silence = [&](measure::Run& run) {
+      for (double& torque : run.torque[3]) torque = noise(random);
+    };
+    silence(measured.runs[2]);
+    CHECK(kinds_of(measured.runs).empty());  // of one run the others tell
+    for (measure::Run& run : measured.runs) silence(run);
+    const std::vector<inspect::Fault> faults = inspect::record_faults(measured.runs);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].kind == FaultKind::motor_silent);
+    CHECK(faults[0].channels == std::vector<int>{4});
+    CHECK(faults[0].all);
+    CHECK(faults[0].blocks);
+  }
+}
+
+TEST_CASE("runs that would go on while the next ones begin are not on one clock") {
+  Measured measured;
+  const auto begin = [&](double between, std::size_t of_a_day) {
+    for (std::size_t r = 0; r < measured.runs.size(); ++r) {
+      measured.runs[r].start = between * static_cast<double>(r % of_a_day) * measured.runs[r].time.back();
+    }
+  };
+  begin(1.2, 100);
+  CHECK(kinds_of(measured.runs).empty());
+  begin(1.2, 3);  // days, each with its own clock
+  CHECK(kinds_of(measured.runs).empty());
+  begin(0, 100);  // nobody said when
+  CHECK(kinds_of(measured.runs).empty());
+  begin(1.2 / 60, 100);
+  const std::vector<inspect::Fault> faults = inspect::record_faults(measured.runs);
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].kind == FaultKind::start);
+  CHECK(faults[0].all);
+  CHECK(faults[0].like == 0);
+  CHECK(faults[0].runs[0] == 1);
 }

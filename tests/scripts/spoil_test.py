@@ -35,12 +35,12 @@ bar_mm = 150
 tilt_deg = {tilt}
 direction = "ccw"
 feed_mm_min = 1000
-start_s = {100 * r}
+start_s = {60 + 100 * r}
 payload_kg = {payload}
 '''
     rows = "time_s,angle_deg,radial_um," + ",".join(f"torque{j}_Nm" for j in range(1, 7)) + "\\n"
     for i in range(60):
-        rows += f"{i * 0.9:.3f},{6 * i:.3f},{(i * 7 + r) % 13:.1f}," + ",".join(f"{(i + j * r) % 9 + j:.2f}" for j in range(6)) + "\\n"
+        rows += f"{i * 0.9:.3f},{6 * i:.3f},{(i * 7 + r) % 13:.1f}," + ",".join(f"{(i + j * r) % 9 + j - 3:.2f}" for j in range(6)) + "\\n"
     (data / f"{r}.csv").write_text(rows)
 (data / "dataset.toml").write_text(text)
 """

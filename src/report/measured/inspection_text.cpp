@@ -140,6 +140,16 @@ std::string gaps_text(double gap, double empty) {
   return text;
 }
 
+std::string noise_text(const Fault& fault) {
+  const double found = fault.values.at(0);
+  const double stated = fault.values.at(1);
+  if (fault.channels[0] == identify::kRadial) {
+    return fmt::format("the noise of the bar is {:.2f} um, and its instrument states {:.2f} um", found / kUm,
+                       stated / kUm);
+  }
+  return fmt::format("the noise of the torques is {:.3f} N m, and their instrument states {:.3f} N m", found, stated);
+}
+
 std::string record_text(const Fault& fault, const Run& run, const std::vector<Run>& runs) {
   const double value = fault.values.empty() ? 0 : fault.values[0];
   const std::string of = channel_text(fault.channels);
@@ -158,6 +168,16 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
       return fmt::format("it has the same readings as run {}", runs[fault.like].id);
     case FaultKind::motors_alike:
       return fmt::format("motor {} has the same readings as motor {}", fault.channels.at(0), fault.channels.at(1));
+    case FaultKind::motors_unsigned:
+      return "no torque is negative, and they follow the size of what the model predicts: their signs are lost";
+    case FaultKind::motor_silent:
+      return fmt::format("{} reads noise: a sample says nothing of the next one, where other motors follow the way",
+                         of);
+    case FaultKind::start:
+      return fmt::format(
+          "start_s is no time in s on one clock: run {} would begin at {:.6g} s, and run {}, from {:.6g} s on, takes "
+          "{:.4g} s",
+          run.id, value, runs[fault.like].id, fault.values.at(1), fault.values.at(2));
     case FaultKind::spikes:
       return fmt::format("{:.0f} {} left out as spikes", value, value == 1 ? "sample is" : "samples are");
     case FaultKind::gaps:
@@ -165,11 +185,7 @@ std::string record_text(const Fault& fault, const Run& run, const std::vector<Ru
     case FaultKind::periodic:
       return periodic_text(fault);
     case FaultKind::noise:
-      return fault.channels[0] == identify::kRadial
-                 ? fmt::format("the noise of the bar is {:.2f} um, and its instrument states {:.2f} um", value / kUm,
-                               fault.values.at(1) / kUm)
-                 : fmt::format("the noise of the torques is {:.3f} N m, and their instrument states {:.3f} N m", value,
-                               fault.values.at(1));
+      return noise_text(fault);
     case FaultKind::bar_unit:
       if (fault.values.size() < 2) {
         return fmt::format(
@@ -209,10 +225,12 @@ std::string fault_text(const Fault& fault, const std::vector<Run>& runs) {
   std::string label = label_text(fault, run, runs);
   const bool place = fault.kind == FaultKind::centre || fault.kind == FaultKind::tilt;
   if (place && fault.runs.size() > 1) label += fmt::format(" in run {}, and so in the others,", run.id);
-  const int digits = fmt::format("{:.1f}", fault.after) == fmt::format("{:.1f}", fault.before) ? 3 : 1;
+  const bool little = fmt::format("{:.1f}", fault.after) == fmt::format("{:.1f}", fault.before);
+  const int digits = little ? 3 : 1;
   text +=
       fmt::format("{} {} at {:.{}f} times the noise instead of {:.{}f}", label.empty() ? channels_text(fault) : label,
                   fault.all || several ? "they are" : "it is", fault.after, digits, fault.before, digits);
+  if (little) text += fmt::format(", which makes the readings likelier by {:.0f} nats", fault.nats);
   std::vector<std::string_view> others;
   for (const FaultKind kind : fault.or_these) others.push_back(to_text(kind));
   if (!others.empty()) text += fmt::format("; {} would explain it about as well", fmt::join(others, ", "));

@@ -65,6 +65,12 @@ TEST_CASE("what records say by themselves, and what is periodic in time") {
   CHECK(says(copied, "runs 04, 05: motor 3 has the same"));
   copied.all = true;
   CHECK(report::fault_text(copied, runs_04_and_05()) == "all runs: motor 3 has the same readings as motor 2");
+  Fault silent{FaultKind::motor_silent, {0, 1}, true, {3}};
+  CHECK(says(silent, "all runs: motor 3 reads noise"));
+  Fault unsigned_ones{FaultKind::motors_unsigned, {0, 1}, true, {1, 2, 3, 4, 5, 6}};
+  CHECK(says(unsigned_ones, "their signs are lost"));
+  Fault start{FaultKind::start, {1, 0}, true, {}, {2.9, 0, 174}};
+  CHECK(says(start, "run 05 would begin at 2.9 s, and run 04, from 0 s on, takes 174 s"));
   Fault periodic{FaultKind::periodic, {0, 1}, true, {0}, {4.37, 1.5e-6, 2.2, 0.5}};
   CHECK(report::fault_text(periodic, runs_04_and_05()).find("all runs: a periodic disturbance at 4.370 Hz") == 0);
   CHECK(says(periodic, "along 29 deg from +X"));

@@ -19,6 +19,8 @@ struct RecordOptions {
   double same_readings = 0.9;     // of the samples of two runs
   std::size_t standing = 12;      // samples one after the other that are alike
   double stands = 0.2;            // share of the samples of a channel that stand together
+  double silent = 0.2;            // correlation of samples beside each other, up to which a motor reads noise
+  double follows = 0.8;           // and from which it follows the way
   double feed = 0.03;             // by which the feed that is stated may be off what the times say
 };
 

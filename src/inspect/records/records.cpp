@@ -1,12 +1,15 @@
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+
+#include <Eigen/Core>
 
 #include "identify/equations/run_model.hpp"
-#include "inspect/alike.hpp"
+#include "inspect/records/alike.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
@@ -139,6 +142,57 @@ void add_channel_faults(const Run& run, std::size_t number, const RecordOptions&
   }
 }
 
+// How much a sample says of the next one: 1 of a slow wave, nil of noise.
+double lag_correlation(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::VectorXd> read(values.data(), static_cast<Eigen::Index>(values.size()));
+  const Eigen::VectorXd e = read.array() - read.mean();
+  return e.head(e.size() - 1).dot(e.tail(e.size() - 1)) / std::max(e.squaredNorm(), 1e-300);
+}
+
+// Motors that read noise in all runs, where most others follow the way.
+void add_silent_motors(const std::vector<Run>& runs, const RecordOptions& options, std::vector<Fault>& faults) {
+  std::vector<int> silent;
+  int following = 0;
+  for (int motor = 1; motor < identify::kChannels; ++motor) {
+    std::vector<double> each;
+    for (const Run& run : runs) {
+      const std::vector<double>& values = readings_of_channel(run, motor);
+      if (values.size() > 2) each.push_back(lag_correlation(values));
+    }
+    if (each.empty()) continue;
+    if (*std::max_element(each.begin(), each.end()) < options.silent) silent.push_back(motor);
+    if (median(each) > options.follows) ++following;
+  }
+  if (following < 3) return;
+  for (const int motor : silent) {
+    Fault fault{FaultKind::motor_silent, {}, true, {motor}};
+    for (std::size_t r = 0; r < runs.size(); ++r) fault.runs.push_back(r);
+    faults.push_back(std::move(fault));
+  }
+}
+
+// On one clock a run begins when the one before it is done. That of another day may begin its clock anew.
+void add_starts(const std::vector<Run>& runs, std::vector<Fault>& faults) {
+  constexpr std::size_t kLeast = 3;
+  std::size_t going_on = 0;
+  std::optional<std::size_t> first;
+  for (std::size_t r = 1; r < runs.size(); ++r) {
+    const double later = runs[r].start - runs[r - 1].start;
+    if (later <= 0 || later >= runs[r - 1].time.back()) continue;
+    ++going_on;
+    if (!first) first = r;
+  }
+  if (going_on < kLeast || 2 * going_on < runs.size() - 1) return;
+  Fault fault = record_fault(FaultKind::start, *first,
+                             {runs[*first].start, runs[*first - 1].start, runs[*first - 1].time.back()}, true);
+  fault.like = *first - 1;
+  fault.all = true;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (r != *first) fault.runs.push_back(r);
+  }
+  faults.push_back(std::move(fault));
+}
+
 }  // namespace
 
 const std::vector<double>& readings_of_channel(const Run& run, int channel) {
@@ -166,6 +220,8 @@ std::vector<std::size_t> spikes_in(const Run& run, const RecordOptions& options)
 
 std::vector<Fault> record_faults(const std::vector<Run>& runs, const RecordOptions& options) {
   std::vector<Fault> faults = motors_alike(runs, options.same_readings);
+  add_silent_motors(runs, options, faults);
+  add_starts(runs, faults);
   const AlikeRuns alike(runs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Run& run = runs[r];

@@ -1,4 +1,4 @@
-#include "inspect/alike.hpp"
+#include "inspect/records/alike.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "base/units.hpp"
 #include "identify/equations/run_model.hpp"
-#include "inspect/records.hpp"
+#include "inspect/records/records.hpp"
 #include "inspect/statistics.hpp"
 
 namespace plumbline::inspect {
