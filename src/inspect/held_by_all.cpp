@@ -20,8 +20,8 @@ constexpr double kFinestBar = 0.02e-6;                               // m, 1 sig
 constexpr std::array kLargerUnits{1e-3, 1 / 25.4, 1 / 25.4 * 1e-3};  // mm, thousandths of an inch, inches
 
 constexpr double kAbout = 1.5;  // the factor within which readings are such a part of what is predicted
-constexpr double kLargerLeaves =
-    0.3;  // of the misfit in um, that a larger unit may leave, where no effect may make up for it
+// of the misfit in um, that a larger unit may leave, where no effect may make up for it
+constexpr double kLargerLeaves = 0.3;
 
 // Torques without their signs: of what the model predicts
 constexpr double kSure = 3;            // times the noise, from which a sign is sure

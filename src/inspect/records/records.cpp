@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include <Eigen/Core>
@@ -149,6 +150,12 @@ double lag_correlation(const std::vector<double>& values) {
   return e.head(e.size() - 1).dot(e.tail(e.size() - 1)) / std::max(e.squaredNorm(), 1e-300);
 }
 
+std::vector<std::size_t> numbers_of(const std::vector<Run>& runs) {
+  std::vector<std::size_t> numbers(runs.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
 // Motors that read noise in all runs, where most others follow the way.
 void add_silent_motors(const std::vector<Run>& runs, const RecordOptions& options, std::vector<Fault>& faults) {
   std::vector<int> silent;
@@ -165,9 +172,7 @@ void add_silent_motors(const std::vector<Run>& runs, const RecordOptions& option
   }
   if (following < 3) return;
   for (const int motor : silent) {
-    Fault fault{FaultKind::motor_silent, {}, true, {motor}};
-    for (std::size_t r = 0; r < runs.size(); ++r) fault.runs.push_back(r);
-    faults.push_back(std::move(fault));
+    faults.push_back({FaultKind::motor_silent, numbers_of(runs), true, {motor}});
   }
 }
 
@@ -187,9 +192,9 @@ void add_starts(const std::vector<Run>& runs, std::vector<Fault>& faults) {
                              {runs[*first].start, runs[*first - 1].start, runs[*first - 1].time.back()}, true);
   fault.like = *first - 1;
   fault.all = true;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (r != *first) fault.runs.push_back(r);
-  }
+  fault.runs = numbers_of(runs);
+  const auto at = fault.runs.begin() + static_cast<std::ptrdiff_t>(*first);
+  std::rotate(fault.runs.begin(), at, at + 1);
   faults.push_back(std::move(fault));
 }
 

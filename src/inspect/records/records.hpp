@@ -1,5 +1,5 @@
-// What records say by themselves, without any model: spikes, gaps, channels that stand still, two runs with the same
-// readings.
+// What records say by themselves, without any model: spikes, gaps, channels that stand still, motors that read noise,
+// two runs with the same readings or under way at once.
 #pragma once
 
 #include "inspect/fault.hpp"
