@@ -29,16 +29,22 @@ def require():
     if not (BUILD / "wine" / "system.reg").exists():
         subprocess.run([WINE, "wineboot.exe", "--init"], env=environment, check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL, timeout=300)
+        serve(environment, "--wait")
     keep_serving(environment)
     return environment
 
 
+def serve(environment, *words):
+    return subprocess.run([shutil.which("wineserver") or "/usr/lib/wine/wineserver64", *words], env=environment,
+                          stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120).returncode
+
+
 def keep_serving(environment):
     """One server of Wine for all the programs of a test. By itself it ends a few seconds after the last program, and
-    takes those with it that begin at that moment: they end with code 1 and say nothing."""
-    begun = subprocess.run([shutil.which("wineserver") or "/usr/lib/wine/wineserver64", "--persistent=120"], env=environment,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=60).returncode
-    if begun not in (0, 2):  # 2: there is one already
+    takes those with it that begin at that moment: they end with code 1 and say nothing. One that runs already keeps the
+    time that it was begun with, so it is ended first: tests under Wine go one after the other."""
+    serve(environment, "--kill")
+    if serve(environment, "--persistent=120") != 0:
         raise RuntimeError(f"the server of Wine does not start for {environment['WINEPREFIX']}")
 
 
