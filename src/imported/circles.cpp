@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 #include <fmt/format.h>
 
+#include "base/angle.hpp"
 #include "base/median.hpp"
 #include "base/units.hpp"
 

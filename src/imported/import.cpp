@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/angle.hpp"
 #include "base/files/path_of.hpp"
 #include "base/units.hpp"
 #include "imported/circles.hpp"

@@ -1,13 +1,9 @@
 // Files of instruments and controls as a dataset.
 #pragma once
 
-#include <numbers>
-
 #include "imported/foreign_table.hpp"
 
 namespace plumbline::imported {
-
-inline constexpr double kTurn = 2 * std::numbers::pi;
 
 struct ImportOptions {
   double standing = 0.2;      // of the usual step of angle from sample to sample: slower is no circle yet, or no more

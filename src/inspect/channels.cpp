@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.hpp"
 #include "inspect/channel_rows.hpp"
 #include "inspect/hypothesis.hpp"
 #include "inspect/records/records.hpp"
@@ -147,7 +148,7 @@ VectorXd further_on(const Run& run, const Run& whole, const std::vector<double>&
   VectorXd moved(static_cast<Index>(looked.size()));
   for (Index i = 0; i < moved.size(); ++i) {
     double at = looked[static_cast<std::size_t>(i)] + angle;
-    if (turns) at -= kTurn * std::floor(at / kTurn);
+    if (turns) at = within_turn(at);
     const auto above = std::upper_bound(way.begin(), way.end(), at) - way.begin();
     const Index b = std::clamp<Index>(above, 0, n);
     const Index lower = b == 0 ? 0 : b - 1;

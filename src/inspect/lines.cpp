@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/angle.hpp"
 #include "diagnose/readings/noise_spectrum.hpp"
 #include "inspect/statistics.hpp"
 

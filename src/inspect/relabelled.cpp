@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.hpp"
 #include "base/diagnostic.hpp"
 #include "base/units.hpp"
 #include "inspect/hypothesis.hpp"

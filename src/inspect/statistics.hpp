@@ -2,14 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 #include "base/median.hpp"
 
 namespace plumbline::inspect {
-
-inline constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The least step between two different values: what is less than that is no difference. nil: all are alike.
 inline double resolution(std::vector<double> values) {

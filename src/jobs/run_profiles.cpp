@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <numeric>
 
+#include "base/angle.hpp"
 #include "base/files/path_of.hpp"
 #include "base/parallel.hpp"
 #include "diagnose/compensated.hpp"
-#include "diagnose/gap/channels.hpp"
 #include "machine/model_file.hpp"
 #include "measure/setup.hpp"
 
@@ -19,8 +19,7 @@ using Order = std::vector<std::size_t>;
 
 Eigen::VectorXd angles_of(const measure::Run& run) {
   Eigen::VectorXd angle(static_cast<Eigen::Index>(run.samples()));
-  for (Eigen::Index i = 0; i < angle.size(); ++i)
-    angle[i] = diagnose::within_turn(run.angle[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < angle.size(); ++i) angle[i] = within_turn(run.angle[static_cast<std::size_t>(i)]);
   return angle;
 }
 

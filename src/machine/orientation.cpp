@@ -1,10 +1,11 @@
 #include "machine/orientation.hpp"
 
+#include "base/angle.hpp"
+
 namespace plumbline::machine {
 namespace {
 
 constexpr double kLock = 1e-7;  // cosine of the middle angle below which the outer two are not told apart
-constexpr double kTurn = 2 * std::numbers::pi;
 
 // The angles of R whose leftmost one is given.
 Vector3<double> complete(const RotationOrder& order, const Matrix3<double>& R, double leftmost) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/QR>
 
+#include "base/angle.hpp"
 #include "base/check.hpp"
 #include "measure/minimum_zone.hpp"
 
@@ -94,7 +94,7 @@ std::optional<double> reversal_step(const Profile& profile, double angle, double
   std::vector<double> readings;
   int before = 0;
   for (Eigen::Index i = 0; i < profile.angle.size(); ++i) {
-    const double d = std::remainder(profile.angle[i] - angle, 2 * std::numbers::pi);
+    const double d = std::remainder(profile.angle[i] - angle, kTurn);
     if (std::abs(d) > half_window || d == 0) continue;
     rows.emplace_back(1, d, d * d, d > 0 ? 0.5 : -0.5);
     readings.push_back(profile.reading[i]);

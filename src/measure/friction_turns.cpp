@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/median.hpp"
 #include "machine/inverse.hpp"
 #include "measure/simulation.hpp"
@@ -142,7 +142,7 @@ std::vector<FrictionTurn> friction_turns(const machine::MachineModel& machine, c
     const physics::Motion<double> motion = circular_motion(machine.rotation, run, i);
     const machine::PerStrut<double> speed =
         physics::strut_rates(machine::strut_geometry(machine.geometry, motion.pose), motion, environment).speed;
-    const double way = i == 0 ? 0 : std::abs(std::remainder(run.angle[i] - run.angle[i - 1], 2 * std::numbers::pi));
+    const double way = i == 0 ? 0 : std::abs(std::remainder(run.angle[i] - run.angle[i - 1], kTurn));
     travel.go_on(speed, way * run.radius / run.feed);
     const bool turned = travel.least() < options.way;
     if (!turned && speed.cwiseAbs().minCoeff() >= slow) continue;

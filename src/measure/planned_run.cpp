@@ -1,7 +1,6 @@
 #include "measure/planned_run.hpp"
 
-#include <numbers>
-
+#include "base/angle.hpp"
 #include "machine/limits.hpp"
 #include "measure/circular_motion.hpp"
 
@@ -11,7 +10,7 @@ void lay_samples(Run& run, std::size_t samples, bool bar, bool torques) {
   run.time.clear();
   run.angle.clear();
   for (std::size_t i = 0; i < samples; ++i) {
-    const double turn = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(samples);
+    const double turn = kTurn * static_cast<double>(i) / static_cast<double>(samples);
     run.time.push_back(turn * run.radius / run.feed);
     run.angle.push_back(run.turn() * turn);
   }

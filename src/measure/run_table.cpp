@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "base/angle.hpp"
 #include "base/files/files.hpp"
 #include "base/text/csv.hpp"
 #include "base/text/nearest_name.hpp"
@@ -27,7 +27,6 @@ const std::array<ColumnSpec, kColumnCount> kColumns{{{"time_s", "s", 1, 1e6},
 namespace {
 
 constexpr std::size_t kFirstTorque = static_cast<std::size_t>(Column::torque1);
-constexpr double kTurn = 2 * std::numbers::pi;
 
 const ColumnSpec& spec_of(Column column) { return kColumns[static_cast<std::size_t>(column)]; }
 

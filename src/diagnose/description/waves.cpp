@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "identify/equations/whitening.hpp"
 
@@ -66,7 +66,6 @@ struct Common {
   Eigen::ArrayXd cosine, sine;
 };
 Common common_with(const Pulls& pulls, const std::vector<double>& frequencies, double step) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   constexpr Eigen::Index kTogether = 512;
   const auto samples = static_cast<Eigen::Index>(pulls.length.size());
   const auto count = static_cast<Eigen::Index>(frequencies.size());

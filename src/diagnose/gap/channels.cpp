@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angle.hpp"
+
 namespace plumbline::diagnose {
 
 using identify::RunEquations;
@@ -14,8 +16,6 @@ std::optional<Eigen::VectorXd> channel_of(const RunEquations& run, int channel) 
   if (!first) return std::nullopt;
   return run.residual.segment(*first, run.samples);
 }
-
-double within_turn(double angle) { return angle - kFullCircle * std::floor(angle / kFullCircle); }
 
 std::complex<double> wave_of(const Eigen::VectorXd& e, const std::vector<double>& angle, int order) {
   std::complex<double> sum = 0;
@@ -34,7 +34,7 @@ ChannelResiduals around_the_circle(const std::vector<Run>& runs, const std::vect
     const std::optional<Eigen::VectorXd> e = channel_of(residuals[r], channel);
     if (!e) continue;
     for (Eigen::Index i = 0; i < e->size(); ++i) {
-      const double share = within_turn(runs[r].angle[static_cast<std::size_t>(i)]) / kFullCircle;
+      const double share = within_turn(runs[r].angle[static_cast<std::size_t>(i)]) / kTurn;
       all.add((*e)[i]);
       arcs.at(std::min<std::size_t>(static_cast<std::size_t>(share * kArcs), kArcs - 1)).add((*e)[i]);
     }

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <complex>
-#include <numbers>
 #include <optional>
 
 #include "base/mean_square.hpp"
@@ -11,8 +10,6 @@
 #include "measure/dataset.hpp"
 
 namespace plumbline::diagnose {
-
-inline constexpr double kFullCircle = 2 * std::numbers::pi;  // rad
 
 inline constexpr int kArcs = 12;   // of a circle
 inline constexpr int kWaves = 10;  // orders 1 to 10 of a circle
@@ -41,9 +38,6 @@ struct BarAndTorqueSquares {
 
 /// What a run leaves of a channel; nothing if that was not measured.
 std::optional<Eigen::VectorXd> channel_of(const identify::RunEquations& run, int channel);
-
-/// An angle (rad) within one turn from 0.
-double within_turn(double angle);
 
 /// Amplitude and phase of the wave of one order: a exp(i phase) / 2.
 std::complex<double> wave_of(const Eigen::VectorXd& e, const std::vector<double>& angle, int order);

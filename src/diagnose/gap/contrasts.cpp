@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angle.hpp"
 #include "diagnose/readings/poses.hpp"
 
 namespace plumbline::diagnose {
@@ -39,7 +40,7 @@ class Interpolated {
 
 constexpr double kSameFeed = 1e-6;  // relative: feeds of files differ by rounding
 // One arc may be missing between the last sample and the first.
-constexpr double kWholeTurn = kFullCircle * (kArcs - 1) / kArcs;
+constexpr double kWholeTurn = kTurn * (kArcs - 1) / kArcs;
 
 // Whether two runs at one pose differ in this alone. Time passes between any two: it counts only between repeats.
 bool differ_by(Difference difference, const Run& a, const Run& b) {

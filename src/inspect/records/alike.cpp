@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "base/angle.hpp"
 #include "base/units.hpp"
 #include "identify/equations/run_model.hpp"
 #include "inspect/records/records.hpp"
@@ -21,8 +22,6 @@ constexpr double kFine = 200;          // steps within the range of a channel wh
 constexpr double kSameAngle = 3.5e-4;  // rad: what two exports round off, at most
 constexpr std::ptrdiff_t kForResolution = 4000;
 constexpr std::size_t kValuesThatTell = 16;  // different ones, of a channel
-
-double within_turn(double angle) { return angle - kTurn * std::floor(angle / kTurn); }
 
 double fine_resolution(const std::vector<double>& values) {
   if (values.empty()) return 0;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "base/angle.hpp"
 #include "identify/equations/run_model.hpp"
 #include "inspect/records/alike.hpp"
 #include "inspect/statistics.hpp"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/angle.hpp"
 #include "base/units.hpp"
 #include "report/page/measured_sections.hpp"
 #include "report/page/sections.hpp"
@@ -191,7 +192,7 @@ Json residual_circles_section(const Diagnosis& d, const std::vector<measure::Run
     if (run.radial_before.size() == 0) continue;
     std::vector<Eigen::Index> order(static_cast<std::size_t>(run.angle.size()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
-    const auto angle = [&](Eigen::Index i) { return diagnose::within_turn(run.angle[i]) / kDeg; };
+    const auto angle = [&](Eigen::Index i) { return within_turn(run.angle[i]) / kDeg; };
     std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return angle(a) < angle(b); });
     PolarCurve before{"before", 2, 2};
     PolarCurve after{"after", 1, 1};
