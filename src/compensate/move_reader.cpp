@@ -40,6 +40,15 @@ std::string code_that_loses(const nc::Step& step, const nc::Dialect& dialect, co
   return "";
 }
 
+// CYCLE800(): the machine turns its axes as its own data say.
+bool ends_swivel(const nc::Step& step, const nc::Dialect& dialect) {
+  const std::vector<nc::Word>& words = step.block->words;
+  return step.role == nc::BlockRole::machine_move && std::any_of(words.begin(), words.end(), [&](const nc::Word& word) {
+           const nc::CodeRow* const row = word.letter == nc::kNamedCode ? dialect.row_of(word) : nullptr;
+           return row != nullptr && row->action == nc::Action::swivel;
+         });
+}
+
 // Its words as they stand, with the values of a call: "G74 X0", "CYCLE800()".
 std::string words_of(const nc::Block& block) {
   constexpr std::size_t kMost = 40;
@@ -57,6 +66,11 @@ std::string words_of(const nc::Block& block) {
 }
 
 }  // namespace
+
+bool sets_mode_alone(const nc::Step& step, const nc::Motion& motion) {
+  return motion.kind == nc::MotionKind::feed && step.named.empty() && motion.to == motion.from &&
+         !motion.known_before.contains(AxisSet::linear());
+}
 
 std::string where_unknown(const UnknownPosition& unknown) {
   return unknown.stop.empty() ? "here" : "after " + unknown.stop;
@@ -87,6 +101,7 @@ std::string way_to_known(const UnknownPosition& unknown, std::string_view axes) 
 
 nc::ProgramSettings settings_of_reading(nc::ProgramSettings program, const ReaderSettings& settings) {
   if (!settings.as_it_stands) program.upright_deg = nc::kOwnTiltDeg;
+  program.named = settings.named;
   return program;
 }
 
@@ -162,8 +177,12 @@ void MoveReader::note_away(const nc::Step& step) {
 }
 
 void MoveReader::note_stop(const nc::Step& step) {
-  const AxisSet lost = std::exchange(known_, step.known) - step.known;
+  AxisSet lost = std::exchange(known_, step.known) - step.known;
   stop_.axes = stop_.axes - step.known;
+  if (ends_swivel(step, dialect_)) {  // whoever is taken to stand at zero does so no more
+    gone_ = AxisSet::rotary() - settings_.named;
+    lost = lost | gone_;
+  }
   if (lost.empty()) return;
   const std::string code = step.loses_position ? code_that_loses(step, dialect_, keeps_position_) : "";
   const bool by_length = code.empty() && step.tilted_length;
@@ -186,10 +205,10 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
   }
   found.no_system = dialect_.behaviour.no_work_system_at_start;
   if ((found.missing & AxisSet::rotary()).empty()) return found;
-  at_zero_ = at_zero_ | ((found.missing & AxisSet::rotary()) - settings_.named - away_);
+  at_zero_ = at_zero_ | ((found.missing & AxisSet::rotary()) - settings_.named - away_ - gone_);
   const AxisWords origin = step.frame->to_pose({});
   for (const Axis axis : kAllAxes) {
-    if (!at_zero_.contains(axis) || !found.missing.contains(axis)) continue;
+    if (!at_zero_.contains(axis) || gone_.contains(axis) || !found.missing.contains(axis)) continue;
     if (origin[axis] != 0) {
       found.turned.insert(axis);
     } else {
@@ -205,7 +224,7 @@ bool MoveReader::take(const nc::Motion& motion) {
     end_s_ += motion.dwell_s;
     return false;
   }
-  if (!motion.in_machine_coordinates && motion.kind != nc::MotionKind::probe) {
+  if (!motion.in_machine_coordinates && motion.kind != nc::MotionKind::probe && !sets_mode_alone(*step_, motion)) {
     const UnknownPosition not_known = unknown(*step_, motion);
     if (!not_known.moved.empty() || (!not_known.none() && path::is_cut(motion.kind)))
       refuse_to_follow(*step_, not_known);

@@ -51,6 +51,9 @@ struct UnknownPosition {
   bool none() const { return moved.empty() && missing.empty(); }
 };
 
+/// G1 F500 before the first move: no axis is named, and X, Y or Z may stand anywhere. Nothing moves.
+bool sets_mode_alone(const nc::Step& step, const nc::Motion& motion);
+
 /// Where the axes stand, and how to say it: "here", and the help of a refusal. `axes`: their names.
 std::string where_unknown(const UnknownPosition& unknown);
 std::string way_to_known(const UnknownPosition& unknown, std::string_view axes);
@@ -168,6 +171,7 @@ class MoveReader {
   std::set<int> keeps_position_;
   AxisSet at_zero_;
   AxisSet away_;   // rotary axes that are known to have stood elsewhere
+  AxisSet gone_;   // that no word names, since the end of a swivelled plane
   AxisSet known_;  // after the block before
   Stop stop_;
   PassedMoves passed_;

@@ -214,6 +214,7 @@ bool Pipeline::is_corrected(const nc::Step& step) {
   const nc::Motion& motion = step.motions.front();
   const bool cuts = path::is_cut(motion.kind);
   if (motion.in_machine_coordinates || (!cuts && motion.kind != nc::MotionKind::rapid)) return false;
+  if (sets_mode_alone(step, motion)) return false;
   const UnknownPosition unknown = reader_.unknown(step, motion);
   if (unknown.moved.empty() && !cuts) return unknown.none();
   refuse_unknown(step, unknown);

@@ -16,6 +16,7 @@ Stream::Stream(const InputFile& source, const ProgramSurvey& survey, const nc::P
       settings_(settings),
       emit_(std::move(emit)),
       out_(out) {
+  program_.named = survey.named;
   emit_.keep_piece_times = settings.bound.is_asked();
 }
 

@@ -42,7 +42,7 @@ class Stream {
  private:
   const InputFile& source_;
   const ProgramSurvey& survey_;
-  const nc::ProgramSettings& program_;
+  nc::ProgramSettings program_;
   const machine::MachineModel& model_;
   const Settings& settings_;
   nc::EmitSettings emit_;

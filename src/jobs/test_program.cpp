@@ -13,6 +13,7 @@
 #include "jobs/compensate/guard_block.hpp"
 #include "machine/limits.hpp"
 #include "machine/orientation.hpp"
+#include "nc/language/comment_line.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -51,7 +52,7 @@ class TestProgramText {
   TestProgramText(const machine::MachineModel& machine, const measure::Run& run, const nc::Dialect& dialect)
       : machine_(machine), run_(run), dialect_(dialect) {}
 
-  void comment(const std::string& text) { line(dialect_.comment_open + text + dialect_.comment_close); }
+  void comment(const std::string& text) { line(nc::comment_line(text, dialect_)); }
   void line(std::string_view text) {
     text_ += text;
     text_ += '\n';

@@ -56,7 +56,7 @@ TEST_CASE("a program for Fanuc comes out for Fanuc") {
   CHECK(result.summary.changed_blocks > 5);
   INFO(result.text);
   CHECK_FALSE(holds(result.text, "[XYZABCF]-?[0-9]+( |$|[A-Z])"));  // each number that was written has its point
-  CHECK(holds(result.text, "^O0042 \\(POCKET\\)\n\\(plumbline"));   // the stamp after the number
+  CHECK(holds(result.text, "^O0042 \\(POCKET\\)\n\\(PLUMBLINE"));   // the stamp after the number
   CHECK_FALSE(holds(result.text, "M98|M99|^O1$"));
 }
 

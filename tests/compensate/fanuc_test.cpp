@@ -349,7 +349,7 @@ TEST_CASE("a statement behind / that is executed, before anything else stands in
         "/#1=2.\n(A)\n/GOTO 5\n(B)\nG0 X9.\nN5 " + cut, "/WHILE [#1 LT 1] DO 1\n#1=1\nEND 1\n" + cut}) {
     const std::string out = run("O1\n" + begin + "M30\n", job).text;
     INFO(out);
-    CHECK(count(out, "plumbline") == 1);
+    CHECK(count(out, "PLUMBLINE") == 1);
     CHECK(end_of(out, job)[Axis::X] == Approx(2).margin(0.02));
   }
 }

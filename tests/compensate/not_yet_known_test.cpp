@@ -237,3 +237,36 @@ TEST_CASE("a refusal names what lost the position on a SINUMERIK, and a way out 
   job.program.keeps_position.insert(88);
   CHECK(code_of(head + "M88\nX8\nM30\n", job).empty());
 }
+
+TEST_CASE("G1 F500 before the first rapid moves nothing, and goes through") {
+  const std::string rest = "G0 X0 Y0 Z15\nG1 Z5 F200\nG0 Z15\nM2\n";
+  for (const std::string mode : {"G1 F4500\n", "G01 F15.00\nG64\n", "F100\nG1\n"}) {
+    const std::string text = run("G21 G90 G94 G54\n" + mode + rest, without_friction()).text;
+    INFO(text);
+    CHECK(text.find("\n" + mode) != std::string::npos);
+  }
+  CHECK(code_of("G21 G90 G94 G54\nG1 X5 F4500\n" + rest, without_friction()) == "compensate-position-unknown");
+  CHECK(code_of("G21 G90 G94 G54\nG91 G1 Z5 F4500\nG90\n" + rest, without_friction()) == "compensate-position-unknown");
+}
+
+TEST_CASE("siemens: a program of three axes may end with CYCLE800(), and cuts nothing behind it") {
+  Job job = kept_over_changes("siemens");
+  const std::string program =
+      "G54 G17 G710 G90 G94\nT1\nM6\nD1\nS5000 M3\nG0 X-25 Y10\nG0 Z60\nG1 Z55 F400\nX20\nG0 Z65\nM5\n";
+  for (const std::string end : {"CYCLE800()\nM30\n", "CYCLE800()\nG0 X0 Y0\nM30\n", "M30\n"}) {
+    INFO(end);
+    CHECK(code_of(program + end, job).empty());
+  }
+  for (const std::string cut :
+       {"CYCLE800()\nG0 X0 Y0 Z60\nG1 Z55 F100\nM30\n", "CYCLE800()\nD0\nD1\nG0 X0 Y0 Z60\nG1 X5 F100\nM30\n"}) {
+    try {
+      run(program + cut, job);
+      FAIL(cut);
+    } catch (const Refusal& refusal) {
+      CHECK(refusal.diagnostic().code == "compensate-position-unknown");
+      CHECK(refusal.diagnostic().message.find("A, B, C stands is not known after CYCLE800() in line 12") !=
+            std::string::npos);
+    }
+  }
+  CHECK(code_of("CYCLE800()\n" + program + "M30\n", job) == "compensate-position-unknown");
+}

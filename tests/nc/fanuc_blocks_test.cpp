@@ -1,4 +1,5 @@
 // Blocks of Fanuc's language of which a control makes something else than their words seem to say.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -176,4 +177,19 @@ TEST_CASE("fanuc: a rotary word in a cycle is read where it turns nothing") {
                        {"G0 C30.\n" + cycle + " C0", "nc-axes-unused 3:28", ""},
                        {cycle + "\nA0.", "nc-axes-missing 3:1", "without X, Y or Z"}});
   CHECK_FALSE(fanuc_end_of("G90 G21 G0 X0 Y0 Z50.\n" + cycle + " A0\nM2\n", true, "linuxcnc").said.empty());
+}
+
+TEST_CASE("fanuc: P of eight digits calls the program of that number where the file has it") {
+  const std::string whole = "O00010002\nX5.\nM99\n";
+  const std::string short_one = "O2\nX7.\nM99\n";
+  const auto end_x = [&](const std::string& call, const std::string& programs) {
+    const FanucEnd end = fanuc_end_of("%\nO00010001\n" + kFanucHead + call + "\nM30\n" + programs + "%\n", true);
+    return end.said.empty() ? std::to_string(std::lround(end.position[Axis::X])) : end.said.substr(0, 25);
+  };
+  CHECK(end_x("M98 P00010002", whole) == "5");
+  CHECK(end_x("M98 P10002", whole) == "5");
+  CHECK(end_x("M98 P00010002", short_one) == "7");
+  CHECK(end_x("M98 P00010002 L1", whole + short_one) == "5");
+  CHECK(end_x("M98 P2", whole + short_one) == "7");
+  CHECK(end_x("M98 P00010002", whole + short_one) == "nc-subprogram-ambiguous 4");
 }

@@ -105,7 +105,7 @@ TEST_CASE("messages of Fanuc's words name what is odd") {
         std::pair{"G254", "G254 has a Haas move its work system"}, std::pair{"G255", "G255 ends the G254 of a Haas"},
         std::pair{"M98 <SUB1>", "a program is called by its name"},
         std::pair{"WH[1EQ0]DO1", "WH may be short for WHILE"}, std::pair{"GO 10", "GO may be short for GOTO"},
-        std::pair{"N5 wh [#1 GT 0] DO 2", "WH may be short for WHILE"}}) {
+        std::pair{"N5 WH [#1 GT 0] DO 2", "WH may be short for WHILE"}}) {
     INFO(line);
     const std::string text = kStart20 + line + "\nM30\n";
     const Diagnostic refused = testing::refusal_of([&] {

@@ -160,5 +160,5 @@ TEST_CASE("what has no other form is left out, and a slip is called by its name"
          {"fanuc", "O1\nIF [1 EQ 1] GOTO N10\nN10 M30\n", "as in GOTO 10", "no function"},
          {"fanuc", "O1\nN10 G40 G17 G90 G70\nM30\n", "G20 (inch) and G21 (mm)", "another dialect"},
          {"fanuc", "O1\nG94 G90 G71\nM30\n", "G20 (inch) and G21 (mm)", "another dialect"},
-         {"fanuc", "O1\nG12\nM30\n", "another dialect", "G20"}});
+         {"fanuc", "O1\nG199\nM30\n", "another dialect", "G20"}});
 }

@@ -54,9 +54,10 @@ TEST_CASE("OSP: G83 pecks by Q, or by I with J for the depth after which the too
 
 TEST_CASE("OSP: a cycle waits where P says so") {
   for (const char* const code : {"G82", "G86", "G89"}) {
-    for (const bool waits : {false, true}) {
-      const ProgramFile text(std::string("G15 H1 G0 X5 Y0 Z50\nG71 Z50\n") + code + " X5 Y0 Z-20 R2 F100 M53" +
-                             (waits ? " P500\nM2\n" : "\nM2\n"));
+    for (const std::string wait : {"", " P500", " P0.5"}) {
+      const bool waits = !wait.empty();
+      const ProgramFile text(std::string("G15 H1 G0 X5 Y0 Z50\nG71 Z50\n") + code + " X5 Y0 Z-20 R2 F100 M53" + wait +
+                             "\nM2\n");
       const InputFile file(text.path());
       Program blocks(file, dialect("okuma"), empty_tables());
       double seconds = 0;
@@ -167,4 +168,12 @@ TEST_CASE("OSP: whether G1, G2 or G3 ends a cycle is said, with axes or without"
   }
   const std::string ended = cycle + "G80\nG0 Z60\nG1 F200\nX20 Y5\nM2\n";
   check_osp({{ended.c_str(), 0, 0}});
+}
+
+TEST_CASE("OSP: a place of a hole that stays a cycle, finer than the control keeps, is told how to be worked out") {
+  const std::string begin = "G15 H1 G0 X0 Y0 Z50\nM3 S500\nG71 Z50 M53\n";
+  check_osp({{(begin + "G84 X=10*COS[50] Y=10*SIN[50] Z-5 R2 F100\nM2\n").c_str(), 4, 5, "nc-not-interpreted",
+              "X=ROUND[VC1*1000]/1000"},
+             {(begin + "G82 X0 Y=10/3 Z-5 R2 P100 F100\nM2\n").c_str(), 4, 8, "nc-not-interpreted", "ROUND"},
+             {(begin + "VC1=10*COS[50]\nG84 X=ROUND[VC1*1000]/1000 Y0 Z-5 R2 F100\nM2\n").c_str(), 0, 0}});
 }

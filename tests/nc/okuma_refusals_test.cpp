@@ -79,8 +79,7 @@ TEST_CASE("OSP: NCYL beside the code of a cycle without X and Y states its words
 
 TEST_CASE("OSP: what is no word of the control, or of another machine, is told with a way out") {
   const std::string begin = "G15 H1 G0 X3 Y0 Z50 A0 B0 C0\n";
-  check_osp({{(begin + "G111 T1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "T and M6"},
-             {(begin + "G169 HL=1 X1 Y1 Z5 A0 B0 C0\nM2\n").c_str(), 2, 6, "nc-unknown-code", "leave HL out"},
+  check_osp({{(begin + "G169 HL=1 X1 Y1 Z5 A0 B0 C0\nM2\n").c_str(), 2, 6, "nc-unknown-code", "leave HL out"},
              {(begin + "G611 HL=1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G169 H"},
              {(begin + "G612\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G170"},
              {(begin + "M19 RS=90\nM2\n").c_str(), 2, 5, "nc-unknown-code", "leave RS out"},
@@ -92,6 +91,7 @@ TEST_CASE("OSP: what is no word of the control, or of another machine, is told w
              {(begin + "IF [1 EQ 1] CALL OA\nM2\nOA\nRTS\n").c_str(), 2, 1, "nc-flow-control", "nothing else"},
              {(begin + "IF [1 EQ 1] X5\nM2\n").c_str(), 2, 1, "nc-flow-control", "N100"},
              {(begin + "M98 P1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CALL O"},
+             {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG111 T1\nX5\nM2\n").c_str(), 5, 1, "nc-position-unknown"},
              {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG116 T1\nX5\nM2\n").c_str(), 5, 1, "nc-position-unknown",
               "G116"}});
 }
@@ -139,4 +139,11 @@ TEST_CASE("OSP: codes of the manual's tables that are not read are not taken for
   }
   for (const std::string block : {"G43\n", "G50\n", "NMSG\n", "MSG (DOOR)\n"})
     check_osp({{(begin + block + "M2\n").c_str(), 0, 0}});
+}
+
+TEST_CASE("OSP: whether a shift by G92 outlives G15 is said by no source") {
+  check_osp({{"G15 H1 G0 X10 Y0 Z0\nG92 X15\nG15 H1\nM2\n", 3, 1, "nc-not-interpreted", "chosen again"},
+             {"G15 H1 G0 X10 Y0 Z0\nG92 X15\nG15 H2\nM2\n", 3, 1, "nc-not-interpreted", "another work system"},
+             {"G15 H1 G0 X10 Y0 Z0\nG92 Y15\nX20\nG15 H1 X0\nM2\n", 4, 1},
+             {"G15 H1 G0 X10 Y0 Z0\nG15 H1\nG92 X15\nM2\n", 0, 0}});
 }

@@ -12,8 +12,8 @@ using namespace plumbline::nc;
 using namespace plumbline::nc::tests;
 
 TEST_CASE("OSP: an increment after a change of offsets is refused until an absolute word made the axis follow") {
-  check_osp({{"G15 H1 G0 X0 Y0 Z50\nG91 G56 H1 Z-10\n", 2, 12},
-             {"G15 H1 G0 X0 Y0 Z50\nG56 H1 Z40\nG91 Z-1\nG53 Z-1\n", 4, 5},
+  check_osp({{"G15 H1 G0 X0 Y0 Z50 A0 B0\nG91 G56 H1 Z-10\n", 2, 12},
+             {"G15 H1 G0 X0 Y0 Z50 A0 B0\nG56 H1 Z40\nG91 Z-1\nG53 Z-1\n", 4, 5},
              {"G15 H1 G0 X0 Y0 Z50\nG15 H2\nG91 Y1\nX1\n", 4, 1},
              {"G15 H1 G0 X0 Y0 Z50\nG56 H1 Z40\nG91 Z-10 X1\nG90 G15 H2 X0\nG91 X1\n", 0, 0}});
 }

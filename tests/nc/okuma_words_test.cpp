@@ -134,3 +134,16 @@ TEST_CASE("OSP: the clamps of all three rotary axes are read alone") {
   }
   check_osp({{(begin + "G0 A5 M11\nM2\n").c_str(), 2, 7, "nc-not-interpreted", "beside a move"}});
 }
+
+TEST_CASE("OSP: / may stand behind the name of its block as well") {
+  check_osp({{"G15 H1 G0 X0\nN10 /X5\nM2\n", 2, 5, "nc-block-delete"},
+             {"G15 H1 G0 X0\nNAB /X5\nM2\n", 2, 5, "nc-block-delete"},
+             {"G15 H1 G0 X0\nN10 /2 G1 X5 F100\nM2\n", 2, 5, "nc-block-delete"},
+             {"G15 H1 G0 X0\nN10 /M8\nM2\n", 0, 0},
+             {"G15 H1 G0 X0\nG0 /X5\nM2\n", 2, 4, "nc-bad-character"},
+             {"G15 H1 G0 X0\n/N10 /X5\nM2\n", 2, 6, "nc-bad-character"}});
+}
+
+TEST_CASE("OSP: G111 T changes the tool, as G116 does") {
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nG111 T1\nG56 H1 G0 X0 Y0 Z50\nG1 X5 F100\nM2\n", 0, 0}});
+}

@@ -73,7 +73,9 @@ TEST_CASE("where M6 changes tools, D takes no length of a tool that T only prepa
   check_refused({{"G54 T1 D1\nG0 X0 Y0 Z50\nT2\nM6\nM30\n", 4, 1, "nc-tool-unknown"},
                  {"G54 T1\nD1\nG0 X0 Y0 Z50\nG1 Z5 F100\nM6\nM30\n", 5, 1, "nc-tool-unknown"}});
   for (const char* const text : {"G54 T1 D1\nG0 X0 Y0 Z50\nM30\n", "G54 T1 D1\nM6\nG0 X0 Y0 Z50\nM30\n",
-                                 "G54 T1\nM6\nD1\nG0 X0 Y0 Z50\nT1\nM6\nM30\n"}) {
+                                 "G54 T1\nM6\nD1\nG0 X0 Y0 Z50\nT1\nM6\nM30\n",
+                                 "G54 T=\"A\" M6\nD1\nG0 X0 Y0 Z50\nT=\"B\"\nM6\nD1\nG0 X5\nM30\n",
+                                 "G54 T=\"A\"\nM6\nD1\nG0 X0 Y0 Z50\nT0\nM6\nM30\n"}) {
     INFO(text);
     CHECK(outcome_of(text).code.empty());
   }

@@ -219,8 +219,9 @@ std::string difference(const IntendedState& meant, const nc::Modal& modal, const
   if (a.switches.spindle != b.switches.spindle) return "the spindle";
   if (!alike(a.switches.speed, b.switches.speed)) return "the speed of the spindle";
   if (a.switches.mist != b.switches.mist || a.switches.flood != b.switches.flood) return "the coolant";
+  const bool keeps_points = b.switches.naive_tolerance == 0;  // Q0 is written where G64 P has another one
   if (!alike(a.switches.path_tolerance, b.switches.path_tolerance) ||
-      !alike(a.switches.naive_tolerance, b.switches.naive_tolerance))
+      (!keeps_points && !alike(a.switches.naive_tolerance, b.switches.naive_tolerance)))
     return "the tolerance of the path";
   if (a.switches.feed_override != b.switches.feed_override || a.switches.speed_override != b.switches.speed_override ||
       a.switches.adaptive_feed != b.switches.adaptive_feed || a.switches.feed_stop != b.switches.feed_stop)

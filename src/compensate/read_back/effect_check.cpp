@@ -41,7 +41,7 @@ void EffectCheck::begin(const IntendedBatch& batch, const IntendedBlock& block) 
 bool EffectCheck::is_ours(const BlockEffect& effect, const nc::Block& of_output) const {
   if (!effect.is_comment) return block_->steers && effect.is_mode;
   return is_bare(of_output) && is_passive(effect.text) &&
-         (unrolled_ || block_->left_out || effect.text.find(nc::kAllStand) != std::string::npos);
+         (unrolled_ || block_->left_out || upper(effect.text).find(upper(nc::kAllStand)) != std::string::npos);
 }
 
 bool EffectCheck::take(const BlockEffect& effect, const nc::Block& of_output) {

@@ -9,6 +9,7 @@
 #include "base/diagnostic.hpp"
 #include "compensate/read_back/block_effects.hpp"
 #include "compensate/read_back/difference.hpp"
+#include "nc/language/comment_line.hpp"
 
 namespace plumbline::compensate {
 namespace {
@@ -106,11 +107,7 @@ bool OutputCheck::is_stamp() {
     return true;
   }
   if (stamp_ >= lines || !is_bare(block) || block.comments.size() != 1) return false;
-  const std::size_t signs = dialect_.comment_open.size() + dialect_.comment_close.size();
-  const std::string_view text =
-      std::string_view(emit_.stamp[stamp_]).substr(0, dialect_.line_length - std::min(dialect_.line_length, signs));
-  const std::string_view comment = block.at(block.comments.front().span);
-  if (comment != dialect_.comment_open + std::string(text) + dialect_.comment_close) return false;
+  if (block.at(block.comments.front().span) != nc::comment_line(emit_.stamp[stamp_], dialect_)) return false;
   ++stamp_;
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include "base/diagnostic.hpp"
 #include "jobs/compensate/guards.hpp"
+#include "nc/language/comment_line.hpp"
 #include "nc/language/guard_lines.hpp"
 #include "nc/syntax/line_head.hpp"
 #include "nc/syntax/line_source.hpp"
@@ -32,8 +33,8 @@ std::vector<std::string> lines_of_guard(const nc::ProgramSettings& program, cons
 std::vector<std::string> guard_block(const nc::ProgramSettings& program, const compensate::ProgramSurvey& survey) {
   const nc::Dialect& dialect = survey.dialect;
   std::vector<std::string> lines = lines_of_guard(program, survey);
-  lines.insert(lines.begin(), nc::guard_line(nc::kGuardBegins, dialect));
-  lines.push_back(nc::guard_line(nc::kGuardEnds, dialect));
+  lines.insert(lines.begin(), nc::comment_line(nc::kGuardBegins, dialect));
+  lines.push_back(nc::comment_line(nc::kGuardEnds, dialect));
   return lines;
 }
 

@@ -11,6 +11,7 @@
 #include "base/version.hpp"
 #include "nc/control/parameters/parameters.hpp"
 #include "nc/control/state/control.hpp"
+#include "nc/language/comment_line.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -142,8 +143,7 @@ std::string comment_text(std::string_view text) {
 std::vector<std::string> stamp(const settings::Options& options, const nc::ProgramSettings& program,
                                const machine::MachineModel& model, const compensate::ProgramSurvey& survey) {
   const nc::Dialect& dialect = survey.dialect;
-  const std::size_t signs = dialect.comment_open.size() + dialect.comment_close.size();
-  const std::size_t width = std::min(kWidth, dialect.line_length - signs);
+  const std::size_t width = std::min(kWidth, nc::comment_room(dialect));
   std::vector<std::string> lines;
   const auto add = [&](std::string text) { add_wrapped(lines, std::move(text), width); };
   add(fmt::format("plumbline {} compensated this program", version()));

@@ -217,6 +217,8 @@ AxisWords end_of_move(const Execution& run);
 std::array<double, 2> polar_end(const Execution& run, double x, double y);
 /// The axes that words of the block send to a position, whatever the modes around them say.
 AxisSet absolute_words(const Execution& run);
+/// Refuses words of an offset that are a turn or more on an axis that the control keeps within one.
+void check_wrapped_words(const Execution& run);
 /// Which axes are known there.
 AxisSet known_after_move(const Execution& run);
 /// Refuses where one of these axes stands, which an offset will depend on, is not known.

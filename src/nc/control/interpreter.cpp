@@ -22,8 +22,8 @@ constexpr int kChangeCode = 6;  // of --keeps-position: M6
 bool is_harmless(const Block& block, const Dialect& dialect) {
   if (!block.settings.empty() || block.flow.word != FlowWord::none) return false;
   for (const Word& word : block.words) {
-    if (word.letter != 'M' || word.expression != kLiteral) return false;
-    const CodeRow* const row = dialect.m_code(static_cast<int>(word.value * 10));
+    const bool may_be = word.letter == kNamedCode || (word.letter == 'M' && word.expression == kLiteral);
+    const CodeRow* const row = may_be ? dialect.row_of(word) : nullptr;
     if (row == nullptr || !row->harmless) return false;
   }
   return true;
@@ -87,6 +87,7 @@ const Step& Interpreter::execute(Block& block) {
     if (!act_on_saved_modes(chosen)) act(run_, chosen);
   }
   if (!moved) make_motion(run_);
+  if (run_.chosen_row(Action::modal_call) != nullptr) saved_.back().sets_call = control_.modal_call.row != nullptr;
   control_.moved_on_selected |= control_.edge_of_selected && !run_.motions.empty();
   // Whether the change of tools comes before the move or after it is the builder's choice.
   const bool where_unknown =
@@ -198,6 +199,12 @@ void Interpreter::set_macro_arguments() {
 
 void Interpreter::end_pass(const Block& block) {
   const ModesOfCall modes = std::exchange(saved_.back(), {});
+  if (modes.sets_call && saved_.size() > 1) {
+    refuse_at(block, {0, static_cast<std::uint32_t>(block.text.size())}, codes::kNotInterpreted,
+              "MCALL is in force at the end of the subprogram that set it, and whether it stays so behind it was found "
+              "in no source",
+              "write MCALL alone before the end of the subprogram, or set it in the program that calls");
+  }
   if (modes.saved && modes.come_back) restore_modes(run_, *modes.saved, block);
 }
 

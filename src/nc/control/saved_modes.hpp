@@ -18,6 +18,7 @@ struct SavedModes {
 struct ModesOfCall {
   std::optional<SavedModes> saved;
   bool come_back = false;
+  bool sets_call = false;  // of a cycle after each move: MCALL
 };
 
 SavedModes save_modes(const Control& control);

@@ -110,6 +110,41 @@ void check_arc_beside_dwell(const Execution& run) {
   }
 }
 
+// The letters whose values count otherwise before such a code than behind it.
+std::string_view scaled_by(const Execution& run, Action action) {
+  const FeedMode mode = run.control.modal.feed_mode;
+  switch (action) {
+    case Action::dwell:
+      return run.control.modal.inches ? "X" : "";
+    case Action::turn_on:
+      return run.control.modal.inches ? "R" : "";
+    case Action::inverse_time:
+      return mode == FeedMode::inverse_time ? "" : "F";
+    case Action::per_minute:
+      return mode == FeedMode::per_minute ? "" : "F";
+    case Action::per_revolution:
+      return mode == FeedMode::per_revolution ? "" : "F";
+    default:
+      return "";
+  }
+}
+
+// G20 X1. G04 waits for 10 s: a value counts as the codes before it say [B-64114EN 8.3, warning].
+void check_values_before_codes(const Execution& run) {
+  if (run.dialect.syntax.statements != Statements::macro_b) return;
+  for (const Chosen& code : run.chosen) {
+    if (!is_code(*code.word)) continue;
+    for (const char letter : scaled_by(run, code.row->action)) {
+      const Word* const word = run.words.find(letter);
+      if (word == nullptr || word->span.begin > code.word->span.begin || word->value == 0) continue;
+      run.refuse(*word, codes::kNotInterpreted,
+                 fmt::format("{} stands before {}, and a value counts as the codes in front of it say",
+                             run.text_of(*word), run.text_of(*code.word)),
+                 fmt::format("write {} before {}", run.text_of(*code.word), run.text_of(*word)));
+    }
+  }
+}
+
 // M98 P8 beside M30.
 void check_one_way_on(const Execution& run) {
   if (!run.dialect.behaviour.fanuc_cycles) return;
@@ -179,6 +214,7 @@ void check_shared_words(const Execution& run) {
   check_length_beside_machine_move(run);
   check_words_of_one(run);
   check_arc_beside_dwell(run);
+  check_values_before_codes(run);
   check_one_way_on(run);
   check_tip_mode(run);
   check_no_hole(run);

@@ -122,6 +122,7 @@ struct ProgramCall {
   Kind kind = Kind::none;
   int number = 0;
   int count = 1;
+  int whole = 0;                 // P00020003: 3 called twice, or 20003 where programs have eight digits; 0: no doubt
   std::optional<int> return_to;  // M99 P: the N at which the caller goes on
 
   bool calls() const { return kind != Kind::none && kind != Kind::end; }

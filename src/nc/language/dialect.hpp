@@ -221,6 +221,7 @@ struct Syntax {
   bool exponents = false;           // 8.2EX-3
   bool one_sign = false;            // X--5 is a slip, not X5
   bool repeated_ijk = false;        // I, J and K may stand more than once (arguments of a macro)
+  bool capitals = false;            // small letters of a file are dropped where it is read in
   bool rounds_to_zero = false;      // FIX and FUP
   bool bitwise = false;             // AND, OR, XOR work on the bits of whole numbers and bind like * and +
   bool full_turn = false;           // ATAN gives 0 to 360, ASIN of a negative number is refused
@@ -314,9 +315,9 @@ struct ControlBehaviour {
   Beside beside_dwell = Beside::anything;         // what may stand in a block with G4
   bool inch_turn_unknown = false;                 // what a degree counts beside inches
   bool inch_turn_per_revolution_unknown = false;  // F of a move of A, B, C alone under G20 and G95
-  bool dwell_unknown_per_revolution = false;      // what the word of G4 counts then
-  bool dwell_unknown_inverse_time = false;        // likewise
-  bool h0_is_machine = false;                     // G15 H0, G16 H0: machine coordinates
+  bool dwell_unknown_per_revolution = false, dwell_unknown_inverse_time = false;  // what the word of G4 counts then
+  int feed_decimals = 9;                                                          // of F, whatever its size
+  bool h0_is_machine = false;                                                     // G15 H0, G16 H0: machine coordinates
   double travel_limit_mm = 0;             // a rapid to this or more goes to the end of the axis' travel; 0: none does
   bool return_levels = false;             // cycles go back to the level of G71 or to R, as M53 and M54 say
   bool cycle_off_stops_spindle = false;   // G80
@@ -365,13 +366,12 @@ struct Dialect {
   double feed_rate_min = 0;        // units/min under which length x F is lifted in inverse time mode
   std::size_t line_length = 255;   // characters, the line end not counted
   GuardLanguage guard = GuardLanguage::none;
-  std::string comment_open = "(";
-  std::string comment_close = ")";
+  std::string comment_open = "(", comment_close = ")";
   int first_user_m_code = 0, last_user_m_code = -1;  // codes of the machine's builder
   CodeRow feed_row, speed_row, tool_row, user_row;   // the turns of F, S, T and of user M codes
   CodeRow edge_row;                                  // of D, where it chooses a tool's length
-  bool has_edges = false;
-  std::vector<std::int16_t> g_index, m_index;  // code times ten -> place in g_codes, m_codes; -1: none
+  bool has_edges = false, along_tool = false;        // a change of length moves X and Y where the tool is tilted
+  std::vector<std::int16_t> g_index, m_index;        // code times ten -> place in g_codes, m_codes; -1: none
 
   const CodeRow* g_code(int times_ten) const;
   const CodeRow* m_code(int times_ten) const;

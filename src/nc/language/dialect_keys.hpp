@@ -25,6 +25,7 @@ inline constexpr Key<bool Syntax::*> kSyntaxFlags[] = {
     {"exponents", &Syntax::exponents},
     {"one_sign", &Syntax::one_sign},
     {"repeated_ijk", &Syntax::repeated_ijk},
+    {"capitals", &Syntax::capitals},
     {"rounds_to_zero", &Syntax::rounds_to_zero},
     {"bitwise", &Syntax::bitwise},
     {"full_turn", &Syntax::full_turn},
@@ -143,6 +144,7 @@ inline constexpr Key<double ControlBehaviour::*> kHabitNumbers[] = {
 };
 inline constexpr Key<int ControlBehaviour::*> kHabitIntegers[] = {
     {"most_digits", &ControlBehaviour::most_digits},
+    {"feed_decimals", &ControlBehaviour::feed_decimals},
     {"most_m_codes", &ControlBehaviour::most_m_codes},
     {"least_calls", &ControlBehaviour::least_calls},
     {"call_repeat_digits", &ControlBehaviour::call_repeat_digits},

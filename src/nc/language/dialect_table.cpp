@@ -42,6 +42,7 @@ class TableReader {
     dialect.user_row.word_mask = letter_mask(dialect.user_row.words);
     dialect.user_row.loses_position = true;
     dialect.has_edges = rows_.has_turn("D");
+    dialect.along_tool = dialect.has_edges || table_.flag(table_.root(), "along_tool");
     if (dialect.has_edges) dialect.edge_row = rows_.turn("D", Action::tool_edge);
     rows_.rows("g", dialect.g_codes, dialect.g_index);
     rows_.rows("m", dialect.m_codes, dialect.m_index);

@@ -39,15 +39,12 @@ bool is_sinumerik(std::string_view line) {
 
 }  // namespace
 
-std::string guard_line(std::string_view text, const Dialect& dialect) {
-  return dialect.comment_open + std::string(text) + dialect.comment_close;
-}
-
 bool is_guard_line(std::string_view line, std::string_view text, const Dialect& dialect) {
   const std::string_view open = dialect.comment_open;
   const std::string_view close = dialect.comment_close;
   return line.size() == open.size() + text.size() + close.size() && line.starts_with(open) && line.ends_with(close) &&
-         line.substr(open.size(), text.size()) == text;
+         std::equal(text.begin(), text.end(), line.begin() + static_cast<std::ptrdiff_t>(open.size()),
+                    [](char a, char b) { return upper(a) == upper(b); });
 }
 
 bool is_part_of_guard(std::string_view line, const Dialect& dialect) {

@@ -2,7 +2,6 @@
 // stop it, they leave it as they found it; so who reads the program passes over them.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "nc/language/dialect.hpp"
@@ -12,8 +11,7 @@ namespace plumbline::nc {
 inline constexpr std::string_view kGuardBegins = "guard: the control must be set as this program was made for";
 inline constexpr std::string_view kGuardEnds = "guard: passed";
 
-/// These two as comments of the dialect: the lines that a guard stands between.
-std::string guard_line(std::string_view text, const Dialect& dialect);
+/// Whether the line is one of these two as a comment of the dialect: a guard stands between them.
 bool is_guard_line(std::string_view line, std::string_view text, const Dialect& dialect);
 
 /// True of the lines that a guard of the dialect is made of, between these two.

@@ -7,6 +7,7 @@
 
 #include "base/check.hpp"
 #include "base/text/number_text.hpp"
+#include "nc/language/comment_line.hpp"
 #include "nc/language/refusal.hpp"
 #include "nc/rewrite/emit_refusals.hpp"
 #include "nc/rewrite/feed.hpp"
@@ -107,13 +108,15 @@ void Emitter::copy(const Step& step) {
                               step.motions.front().kind != MotionKind::dwell;
   if (offset_words) refuse_shared_offset(step, codes);
   if (offset_words || text_.unrolls()) begin_change(step);
-  if (!text_.changed() && step.block_delete == BlockDelete::executed) text_.hold(step, without_slash(block));
+  const bool merges = merges_points(step, codes);
+  if (!text_.changed() && (merges || step.block_delete == BlockDelete::executed)) hold_changed(step, merges);
   if (text_.changed()) {
     refuse_point_without_code(step, codes, control_.motion);
     const std::uint64_t begin = text_.size();
     restore_feed_state(step, codes.feed != nullptr);
     editor_.start(block, spelling_);
     if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
+    if (merges) keep_each_point(editor_, block);
     if (offset_words) add_offset_shifts(step);
     if (motion_missing) {
       const Word* first = first_axis_word(block);
@@ -153,17 +156,19 @@ void Emitter::add_offset_shifts(const Step& step) {
   }
 }
 
-// Block delete: what the control's switch would decide is decided in the text.
-std::string Emitter::without_slash(const Block& block) {
+// As the block reads if anything is changed behind it. Block delete: what the control's switch would decide is decided
+// in the text.
+void Emitter::hold_changed(const Step& step, bool merges) {
   std::string text;
-  editor_.start(block, spelling_);
-  editor_.replace(block.slash, "");
+  editor_.start(*step.block, spelling_);
+  if (step.block_delete == BlockDelete::executed) editor_.replace(step.block->slash, "");
+  if (merges) keep_each_point(editor_, *step.block);
   editor_.apply(text);
-  return text;
+  text_.hold(step, text);
 }
 
 void Emitter::leave_out(const Step& step) {
-  const std::string text = dialect_.comment_open + std::string(kSkipped) + dialect_.comment_close;
+  const std::string text = comment_line(kSkipped, dialect_);
   if (text_.unrolls()) begin_change(step);
   if (!text_.changed()) return text_.hold(step, text);
   const std::uint64_t begin = text_.size();
@@ -224,7 +229,7 @@ std::string_view Emitter::spell(const Step& step, std::size_t i, const BlockCode
   const auto in_place = writer_.in_place(step, piece, spelling_, codes, control_.motion, is_last);
   if (in_place) return *in_place;
   writer_.append_first(line_, step, piece, spelling_, codes, control_.motion, is_last);
-  if (is_blank_line(line_)) line_ = dialect_.comment_open + std::string(kAllStand) + dialect_.comment_close;
+  if (is_blank_line(line_)) line_ = comment_line(kAllStand, dialect_);
   return line_;
 }
 
@@ -251,6 +256,11 @@ void Emitter::add_line(const Step& step, const std::string& line) {
 }
 
 void Emitter::begin_group(const Step& step) {
+  refuse_builders_codes(step, dialect_);
+  if (merges_points(step, codes_.codes_of(*step.block))) {
+    refuse_block(*step.block, "emit-shared-words", "G64 stands beside a move that is written out as several",
+                 "put it into a block of its own before");
+  }
   follow(step);
   begin_change(step);
   text_.begin_group();

@@ -127,7 +127,7 @@ class Emitter {
   void restore_feed_state(const Step& step, bool has_feed_word);
   std::string_view spell(const Step& step, std::size_t i, const BlockCodes& codes);
   void add_offset_shifts(const Step& step);
-  std::string without_slash(const Block& block);
+  void hold_changed(const Step& step, bool merges);
   void leave_out(const Step& step);
   void end_modal_call(const Step& step);
   EmittedMove called_hole(const Step& step, const AxisWords& shift);

@@ -85,6 +85,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
   const Block& block = *step.block;
   editor_.start(block, spelling);
   if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
+  if (merges_points(step, codes)) keep_each_point(editor_, block);
   for (const Span& span : block.left_out) editor_.replace(span, "");  // the words added may be of the same letter
   const std::string before = codes_before(step, piece, codes, standing, is_last);
   place_words(step, piece, before, change_axis_words(step, piece), is_last);
@@ -110,7 +111,7 @@ std::optional<std::string_view> PieceWriter::in_place(const Step& step, const Pi
   const Block& block = *step.block;
   const bool plain = !piece.direct && step.motions.front().kind != MotionKind::arc && !block.words.empty() &&
                      step.block_delete == BlockDelete::none && block.left_out.empty() &&
-                     block.text.find('\n') == std::string_view::npos;
+                     block.text.find('\n') == std::string_view::npos && !merges_points(step, codes);
   if (!plain || !codes_stay(step, piece, codes, standing, is_last)) return std::nullopt;
   if (const std::size_t room = block.text.size() + (block.words.size() + 1) * kWordRoom; line_.size() < room)
     line_.resize(room);

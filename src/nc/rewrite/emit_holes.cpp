@@ -31,6 +31,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   const bool comes_from_below = !step.after->retract_to_r && !dialect_.behaviour.fanuc_cycles &&
                                 std::abs(step.holes.front().clear - step.holes.front().r) <= kSameHeight;
   editor_.start(*step.block, spelling_);
+  if (merges_points(step, codes_.codes_of(*step.block))) keep_each_point(editor_, *step.block);
   for (const Word& word : step.block->words) {
     std::optional<Axis> axis = axis_of(word.letter);
     const bool level = step.holes.front().ijk && word.letter == kCentreLetters[index(axes.third)];

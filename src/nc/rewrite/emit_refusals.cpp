@@ -99,15 +99,20 @@ void refuse_doubtful_increments(const Step& step, std::span<const Piece> pieces)
 void refuse_builders_codes(const Step& step, const Dialect& dialect) {
   if (!dialect.behaviour.m_beside_cut_unknown) return;
   for (const Word& word : step.block->words) {
-    if (word.letter != 'M') continue;
+    if (!is_code(word)) continue;
     const CodeRow* const row = dialect.row_of(word);
-    const bool known = row != nullptr && row->action != Action::refused;
-    if (known && !row->order_unknown) continue;
+    const bool known = word.letter != 'M' || (row != nullptr && row->action != Action::refused);
+    if (known && (row == nullptr || !row->order_unknown)) continue;
+    const std::string_view code = step.block->at(word.span);
     refuse_at(
         *step.block, word.span, "emit-m-code",
-        fmt::format("whether {} acts before the move of its block or after it is the machine builder's choice, and "
-                    "the corrected move has several blocks",
-                    step.block->at(word.span)),
+        word.letter == 'M'
+            ? fmt::format("whether {} acts before the move of its block or after it is the machine builder's "
+                          "choice, and the corrected move has several blocks",
+                          code)
+            : fmt::format("{} acts while the block moves, and the next one waits for both: the corrected move has "
+                          "several blocks",
+                          code),
         "put it into a block of its own, before or after the move");
   }
 }

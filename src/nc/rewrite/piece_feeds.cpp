@@ -19,6 +19,7 @@ constexpr double kAlikeSpeeds = 0.02;  // pieces of a block whose speeds differ 
 constexpr double kHasty = 2;           // times the speed of its block: a piece as fast shares the F of the others
 constexpr double kSameFeed = 1e-12;    // relative
 constexpr double kNearFeed = 1e-4;     // as near as F must be written at least,
+constexpr double kOfTolerance = 0.9;   // of that of the time, where the control has F no finer,
 constexpr double kSixDigits = 5e-6;    // as near as six digits are
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
@@ -94,9 +95,12 @@ void PieceFeeds::refuse_feed(double feed) const {
 double PieceFeeds::rounded_feed(double feed) const {
   if (!(feed > kLeastFeed && feed < kLargestFeed)) refuse_feed(feed);
   const int of_six = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
-  const int decimals = decimals_within(dialect_.behaviour.most_digits, feed, of_six);
+  const int of_control = std::min(of_six, dialect_.behaviour.feed_decimals);
+  const int decimals = decimals_within(dialect_.behaviour.most_digits, feed, of_control);
   const double rounded = from_ticks(to_ticks(feed, decimals), decimals);
-  if (differs(rounded, feed, std::min(kNearFeed, settings_.time_tolerance / 2 + kSixDigits))) refuse_feed(feed);
+  const double own = settings_.time_tolerance * (in_the_middle_ ? kOfTolerance / 2 : kOfTolerance);
+  const double near = std::min(kNearFeed, settings_.time_tolerance / 2 + kSixDigits);
+  if (differs(rounded, feed, of_control < of_six ? own : near)) refuse_feed(feed);
   return rounded;
 }
 

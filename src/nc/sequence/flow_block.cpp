@@ -110,4 +110,24 @@ FilePlace program_called(const Block& block, const std::string& name, LabelIndex
   refuse_missing_program(block, name, labels, dialect);
 }
 
+// A control whose programs have eight digits calls O00020003 once.
+void take_eight_digits(const Block& block, const ProgramCall& program, std::string& name, int& times,
+                       LabelIndex& labels) {
+  const std::string whole = std::to_string(program.whole);
+  const auto is_there = [&](const std::string& asked) {
+    const std::vector<ProgramHead>& heads = labels.own_programs().heads;
+    return std::any_of(heads.begin(), heads.end(), [&](const ProgramHead& head) { return head.name == asked; });
+  };
+  if (!is_there(whole)) return;
+  if (is_there(name)) {
+    refuse_flow(
+        block, "nc-subprogram-ambiguous",
+        fmt::format("P calls program {} once where programs have eight digits, and program {} {} times elsewhere",
+                    whole, name, program.count),
+        "say how often with L, as in M98 P3 L2");
+  }
+  name = whole;
+  times = 1;
+}
+
 }  // namespace plumbline::nc

@@ -49,4 +49,9 @@ inline LinePlace place_of_line(const Block& block) { return {block.offset, block
 /// that was called before.
 FilePlace program_called(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect);
 
+/// P00020003: program 3 called twice; or, on a control whose programs have eight digits, program 20003 once, where the
+/// file has that one and no 3. Refuses where it has both.
+void take_eight_digits(const Block& block, const ProgramCall& program, std::string& name, int& times,
+                       LabelIndex& labels);
+
 }  // namespace plumbline::nc

@@ -87,13 +87,20 @@ bool may_jump(const Block& block, const Dialect& dialect) {
          has_action(block, dialect, Action::call_program) || has_action(block, dialect, Action::call_macro);
 }
 
+// CYCLE800() ends a plane. Where the axes go then only the machine knows: what it does not name is not known behind it.
+bool is_bare(const Block& block) {
+  return std::all_of(block.arguments.begin(), block.arguments.end(),
+                     [](const Argument& argument) { return argument.expression == kLiteral; });
+}
+
 // Codes that move the rotary axes without naming them, and directions of the tool.
 bool turns_tool(const Block& block, const Dialect& dialect) {
   for (const Word& word : block.words) {
     const bool is_plain_code = word.letter == 'G' && action_of(word, dialect).has_value();
     if (word.use == WordUse::tool_vector || (is_plain_code && dialect.row_of(word)->tool_vectors)) return true;
   }
-  return has_action(block, dialect, Action::tool_on_plane) || has_action(block, dialect, Action::swivel);
+  return has_action(block, dialect, Action::tool_on_plane) ||
+         (has_action(block, dialect, Action::swivel) && !is_bare(block));
 }
 
 // The axes of a line of G0 to G3 with lengths and a feed, as most lines of a program are: parsing them takes its time.

@@ -39,12 +39,7 @@ class HeadReader {
       head_.empty = true;
       return head_;
     }
-    if (line_[at_] == '/') {
-      head_.behind_slash = true;
-      ++at_;
-      while (!at_end() && is_digit(line_[at_])) ++at_;
-      blanks();
-    }
+    if (line_[at_] == '/') skip_slash();
     if (dialect_.syntax.statements == Statements::macro_b) {
       macro();
     } else {
@@ -59,6 +54,13 @@ class HeadReader {
     while (!at_end() && is_blank(line_[at_])) ++at_;
   }
   bool next_is(char letter) const { return !at_end() && upper(line_[at_]) == letter; }
+
+  void skip_slash() {
+    head_.behind_slash = true;
+    ++at_;
+    digits();
+    blanks();
+  }
 
   std::string_view digits() {
     const std::size_t begin = at_;
@@ -133,6 +135,7 @@ class HeadReader {
       head_.number = canonical_label(number);
       head_.zeros = number.size() - head_.number.size();
       blanks();
+      if (sequence_names && next_is('/')) skip_slash();  // N10 /X5 [G 3.1]
     } else if (next_is(':')) {
       ++at_;
       const std::string number = 'N' + std::string(digits());

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/simulate.hpp"
+#include "nc/language/comment_line.hpp"
+#include "nc/language/guard_lines.hpp"
 #include "nc/rewrite/output/undo.hpp"
 #include "nc/sequence/program.hpp"
 #include "report/program/summary_text.hpp"
@@ -115,7 +117,7 @@ TEST_CASE("guards of other controls are passed over by who reads the output, and
       return count;
     };
     CHECK(moves(scratch.path("b.nc")) > 40);
-    const std::size_t end = text.find("guard: passed");
+    const std::size_t end = text.find(nc::comment_line(nc::kGuardEnds, dialect));
     REQUIRE(end != std::string::npos);
     const std::size_t line = text.rfind('\n', end) + 1;
     const std::string changed = text.substr(0, line) + "G1 X5\n" + text.substr(line);

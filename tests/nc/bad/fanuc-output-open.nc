@@ -1,2 +1,2 @@
 (expect: nc-not-interpreted 2 1 dialect: fanuc)
-popen
+POPEN

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "nc/language/comment_line.hpp"
+
 using namespace plumbline::nc;
 
 namespace {
@@ -15,18 +17,19 @@ bool is_part(std::string_view dialect_name, std::string_view line) {
 }  // namespace
 
 TEST_CASE("the lines around a guard are comments of the dialect, and no other line is one") {
-  CHECK(guard_line(kGuardEnds, dialect("fanuc")) == "(guard: passed)");
-  CHECK(guard_line(kGuardEnds, dialect("siemens")) == "; guard: passed");
+  CHECK(comment_line(kGuardEnds, dialect("fanuc")) == "(GUARD: PASSED)");
+  CHECK(comment_line(kGuardEnds, dialect("siemens")) == "; guard: passed");
   for (const char* const name : {"linuxcnc", "fanuc", "siemens"}) {
     INFO(name);
     const Dialect& own = dialect(name);
-    CHECK(is_guard_line(guard_line(kGuardBegins, own), kGuardBegins, own));
-    CHECK_FALSE(is_guard_line(guard_line(kGuardBegins, own), kGuardEnds, own));
-    CHECK_FALSE(is_guard_line(guard_line(kGuardEnds, own) + " ", kGuardEnds, own));
-    CHECK_FALSE(is_guard_line(std::string(" ").append(guard_line(kGuardEnds, own)), kGuardEnds, own));
+    CHECK(is_guard_line(comment_line(kGuardBegins, own), kGuardBegins, own));
+    CHECK_FALSE(is_guard_line(comment_line(kGuardBegins, own), kGuardEnds, own));
+    CHECK_FALSE(is_guard_line(comment_line(kGuardEnds, own) + " ", kGuardEnds, own));
+    CHECK_FALSE(is_guard_line(std::string(" ").append(comment_line(kGuardEnds, own)), kGuardEnds, own));
     CHECK_FALSE(is_guard_line(kGuardEnds, kGuardEnds, own));
   }
   CHECK_FALSE(is_guard_line("(guard: passed)", kGuardEnds, dialect("siemens")));
+  CHECK(is_guard_line("(guard: passed)", kGuardEnds, dialect("fanuc")));  // of a program that was made before
 }
 
 TEST_CASE("a guard of LinuxCNC measures, chooses offsets and ends: nothing of it moves") {

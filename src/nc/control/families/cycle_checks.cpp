@@ -46,6 +46,13 @@ void check_cycle_spindle(const Execution& run, int code) {
                fmt::format("write S and M{} before it; M6 and M19 stop the spindle", taps ? needed : kClockwise));
   }
   check_tapped_plane(run, code);
+  const Word* const count = run.words.find('L');
+  if (code == kBoreByHand && count != nullptr && count->value > 1 && !run.dialect.behaviour.fanuc_cycles) {
+    run.refuse(*count, codes::kNotInterpreted,
+               "G88 stops at the bottom of each hole, where the axes may be moved by hand: where the next hole begins "
+               "is not known",
+               "write each hole in a block of its own, behind a G0 that names all axes");
+  }
 }
 
 // What a cycle takes for granted.

@@ -77,7 +77,9 @@ void CycleWords::take_words() {
   if (is_new) cycle_.dwell_s = 0;  // G80 and G0 end what was kept [Haas 96-8000, p. 185]
   const bool dwells = code_ == kDrillDwell || code_ == kBoreStop || code_ == kBoreByHand || code_ == kBoreDwell;
   cycle_.dwell_s = inherited('P', cycle_.dwell_s, number('P'), dwells && !as_fanuc_);
-  cycle_.dwell_s = run_.words.has('P') ? cycle_.dwell_s * run_.dialect.behaviour.dwell_p_s : cycle_.dwell_s;
+  if (const Word* const word = run_.words.find('P'); word != nullptr && !(of_osp && word->point)) {
+    cycle_.dwell_s *= run_.dialect.behaviour.dwell_p_s;
+  }
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
   const char peck = of_osp && run_.words.has('I') ? 'I' : 'Q';
   cycle_.peck = inherited(peck, cycle_.peck, length(peck), pecks);

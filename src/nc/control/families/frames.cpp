@@ -43,6 +43,19 @@ void check_no_g92(const Execution& run, const Word& word) {
              "use a work offset in place of G92");
 }
 
+// What R without a point counts is said by a parameter of some series (6400, RTR) [B-63324EN p. 470].
+double angle_of_turn(const Execution& run) {
+  const Word& word = run.need('R', "G68");
+  const bool counts = run.dialect.syntax.statements == Statements::macro_b;
+  const bool counted = counts && word.expression == kLiteral && !word.point;
+  if (counted && word.value != 0 && !run.settings.calculator_type.value_or(false)) {
+    run.refuse(word, codes::kValueUnknown,
+               fmt::format("what {} of G68 counts without a point differs between controls", run.text_of(word)),
+               "write the angle with a point, in degrees, as in R45.");
+  }
+  return word.value;
+}
+
 // G68 X Y R: about a point of the work system, that where the axes stand if it is not named.
 void turn_about_point(Execution& run, const Word& code) {
   Control& control = run.control;
@@ -71,7 +84,7 @@ void turn_about_point(Execution& run, const Word& code) {
     }
     centre[axis] = run.axes.contains(axis) ? run.value(axis) : control.position[axis];
   }
-  const double degrees = run.need('R', "G68").value;
+  const double degrees = angle_of_turn(run);
   control.local_before_turn = control.local;
   control.local += centre - turned_about_z(centre, degrees);  // shift + R w = c + R (w - c)
   turn(run, degrees);
@@ -141,6 +154,7 @@ void change_frame_by_name(Execution& run, const Chosen& chosen) {
 // LinuxCNC has one shift for G52 and G92: G92.1 to G92.3 act on it, whichever of the two set it [measured].
 void set_shift_of_g92(Execution& run, const Word& code) {
   if (run.axes.empty()) run.refuse(code, codes::kAxesMissing, "G52 names no axis", "add the words of the shift");
+  check_wrapped_words(run);
   Control& control = run.control;
   Frame next = control.frame;
   for (const Axis axis : kAllAxes) {

@@ -107,6 +107,11 @@ void store_home(Execution& run, int which) {
   const Control& control = run.control;
   Home& home = run.control.homes[static_cast<std::size_t>(which)];
   home.machine = control.frame.to_machine(control.position);
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {  // [interp_convert.cc, convert_savehome]
+    const bool wrapped = control.modal.rule_of(axis) == RotaryRule::sign &&
+                         run.dialect.syntax.system_variables == SystemVariables::rs274;
+    if (wrapped) home.machine[axis] = within_one_turn(home.machine[axis]);
+  }
   home.known = known_in_work(control.frame, control.known);
   run.step.role = BlockRole::stores_position;
 }

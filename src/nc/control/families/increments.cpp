@@ -175,7 +175,10 @@ void check_digits_of_increment(const Execution& run, const Word& word, Axis axis
              fmt::format("{} is finer than the {} {} that the control keeps, and what becomes of the rest "
                          "was found in no source",
                          run.text_of(word), kept.quantum, is_rotary(axis) ? "deg" : "mm"),
-             fmt::format("write it with {} decimals; in a sum of increments carry the rest on", kept.decimals));
+             counts_increments(run)
+                 ? fmt::format("write it with {} decimals; in a sum of increments carry the rest on", kept.decimals)
+                 : fmt::format("write it with {} decimals; what is worked out as {}=ROUND[VC1*1000]/1000",
+                               kept.decimals, word.letter));
 }
 
 // In a statement ROUND gives whole numbers, in the value of an axis word what the control keeps of it [H, macros, notes

@@ -106,6 +106,7 @@ void call_program(Execution& run, const Chosen& chosen) {
   if (run.dialect.behaviour.call_repeat_digits == 0 || count != nullptr || calls_part) return;
   const int one = static_cast<int>(std::pow(10, run.dialect.behaviour.call_repeat_digits));
   if (run.call.number < one) return;
+  run.call.whole = run.call.number;
   run.call.count = run.call.number / one;  // P00030010: three times O0010
   run.call.number %= one;
 }

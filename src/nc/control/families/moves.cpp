@@ -75,6 +75,15 @@ void check_within_turn(const Execution& run, const Word& word) {
 
 }  // namespace
 
+void check_wrapped_words(const Execution& run) {
+  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+    const bool wrapped = run.control.modal.rule_of(axis) == RotaryRule::sign &&
+                         run.dialect.syntax.system_variables == SystemVariables::rs274;
+    const Word* const word = wrapped && run.axes.contains(axis) ? run.words.find(axis) : nullptr;
+    if (word != nullptr) check_within_turn(run, *word);
+  }
+}
+
 void check_sign_of_zero(const Execution& run, const Word& word, Axis axis) {
   if (run.control.modal.rule_of(axis) != RotaryRule::sign || run.dialect.behaviour.zero_has_sign) return;
   const std::string_view text = run.block->at(word.span);

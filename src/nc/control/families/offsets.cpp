@@ -62,6 +62,7 @@ void set_origin_here(Execution& run) {
   const int system = system_of(run);
   WorkSystem& row = control.systems[static_cast<std::size_t>(system - 1)];
   refuse_useless(run, "G10 L20", {'R', 'I', 'J', 'Q'});
+  check_wrapped_words(run);
   const bool turns = row.rotation_deg != 0 && !(run.axes & kTurningAxes).empty();
   need_position(run, turns ? run.axes | kTurningAxes : run.axes);
   if (turns && !row.known.contains(kTurningAxes - run.axes)) need_offsets(run);
@@ -101,9 +102,11 @@ void need_position(const Execution& run, AxisSet axes) {
 void choose_work_system(Execution& run, int system) {
   const bool changes = system != run.control.modal.work_system;
   if (changes) check_no_plane(run, run.first_word());
-  if (changes && run.dialect.behaviour.set_position_unknown_elsewhere && run.control.frame.g92 != AxisWords{}) {
+  if (run.dialect.behaviour.set_position_unknown_elsewhere && run.control.frame.g92 != AxisWords{}) {
     run.refuse(codes::kNotInterpreted,
-               "whether what G92 set counts in another work system as well was found in no source",
+               changes
+                   ? "whether what G92 set counts in another work system as well was found in no source"
+                   : "whether what G92 set still counts where its work system is chosen again was found in no source",
                "choose the work system before G92");
   }
   run.control.modal.work_system = system;
@@ -144,6 +147,7 @@ void check_no_local_shift(const Execution& run, std::string_view name) {
 
 void set_position(Execution& run) {
   Control& control = run.control;
+  check_wrapped_words(run);
   check_no_plane(run, run.first_word());
   if (run.axes.empty()) {
     run.refuse(codes::kAxesMissing, "G92 names no axis", "add the words that the axes shall stand on");

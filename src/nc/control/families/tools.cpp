@@ -11,13 +11,15 @@
 namespace plumbline::nc {
 namespace {
 
-// T="MILL10"; -1: a tool that no table holds, where tables count as empty.
+// T="MILL10"; where tables count as empty, a tool that no table holds.
+constexpr int kOfNoTable = -2;
+
 int tool_by_name(const Execution& run, const Word& word) {
   const std::string_view text = run.block->at(word.span);
   const std::size_t begin = text.find_first_of("\"'") + 1;
   const std::string_view name = text.substr(begin, text.size() - begin - 1);
   if (const Tool* const tool = run.settings.tools.find(name)) return tool->number;
-  if (run.settings.as_with_empty_tables) return -1;
+  if (run.settings.as_with_empty_tables) return kOfNoTable;
   run.refuse(word, codes::kToolUnknown, fmt::format("no tool of the table is named '{}'", name),
              fmt::format("add name = \"{}\", letter for letter, to its [[tool]] in the tool table (--tools)", name));
 }
@@ -63,7 +65,7 @@ void mark_unknown_length(Execution& run, int number) {
 // names them does the control say how.
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
-  if (!run.dialect.has_edges) return;
+  if (!run.dialect.along_tool) return;
   const AxisSet tip = AxisSet::linear();
   if (tilts_tool(run, control.known, control.position) && !(control.known & tip).empty()) lose_position(run, tip);
 }
@@ -104,8 +106,9 @@ void take_edge(Execution& run, const Word& word, int number) {
 bool tilts_tool(Execution& run, AxisSet known, const AxisWords& at) {
   const AxisWords machine = run.control.frame.to_machine(at);
   const double least = run.settings.upright_deg;
-  const bool upright = known.contains(AxisSet{Axis::A, Axis::B}) && std::abs(machine[Axis::A]) < least &&
-                       std::abs(machine[Axis::B]) < least;
+  const AxisSet turned = AxisSet{Axis::A, Axis::B} & run.settings.named;
+  const bool upright =
+      known.contains(turned) && std::abs(machine[Axis::A]) < least && std::abs(machine[Axis::B]) < least;
   const bool* const of_original = run.settings.original_tilted;
   const bool tilted = of_original != nullptr ? *of_original : !upright;
   run.step.tilted_length = run.step.tilted_length || tilted;
@@ -232,7 +235,7 @@ void choose_edge(Execution& run, const Word& word) {
     run.refuse(word, codes::kToolUnknown, "a tool of the table has one edge, and this chooses another",
                "give the edge's length as a tool of its own");
   }
-  control.edge_of_selected = control.modal.tool_in_spindle < 0;
+  control.edge_of_selected = control.modal.tool_in_spindle < 0 && control.modal.tool_in_spindle != kOfNoTable;
   take_edge(run, word, control.edge_of_selected ? control.selected_tool : control.modal.tool_in_spindle);
 }
 

@@ -43,6 +43,7 @@ struct ProgramSettings {
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
   double upright_deg = 0.1;                        // A and B below: of a correction, not of the program
+  AxisSet named = AxisSet::all();                  // by some word of the program; the others are taken to stand at zero
   /// In place of upright_deg, where a corrected program is read beside its original: whether that tilted the tool where
   /// the next block changes its length (Step::tilted_length). Must outlive the reading.
   const bool* original_tilted = nullptr;

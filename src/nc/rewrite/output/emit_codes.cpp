@@ -21,6 +21,22 @@ void BlockCodes::add_after_motion(const Word& word) {
   after_[after_count_++] = &word;
 }
 
+bool merges_points(const Step& step, const BlockCodes& codes) {
+  return codes.path_control != nullptr && step.after->path_control == PathControl::continuous &&
+         step.after->switches.naive_tolerance > 0;
+}
+
+void keep_each_point(BlockEditor& editor, const Block& block) {
+  if (const Word* const word = find_word(block, 'Q')) {
+    std::string text;
+    append_word(text, 'Q', 0, 0, {editor.spelling().lower_case, false, editor.spelling().point, 0});
+    return editor.replace(word->span, text);
+  }
+  const Word* const word = find_word(block, 'P');
+  PLUMBLINE_CHECK(word != nullptr);
+  editor.insert_after(word->span.end, "Q0");
+}
+
 CodeWriter::CodeWriter(const Dialect& dialect)
     : dialect_(dialect),
       motion_{text_of("motion_off"), text_of("rapid"), text_of("feed"), text_of("arc_cw"), text_of("arc_ccw"), {}, {}},

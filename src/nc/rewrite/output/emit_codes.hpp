@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nc/control/state/modal.hpp"
+#include "nc/control/step.hpp"
 #include "nc/language/block.hpp"
 #include "nc/language/dialect.hpp"
 #include "nc/rewrite/output/emit_text.hpp"
@@ -33,6 +34,12 @@ struct BlockCodes {
   std::array<const Word*, 16> after_{};
   std::size_t after_count_ = 0;
 };
+
+/// G64 P makes one line of moves that stay within Q of it, which is P where no Q stands: what corrections ask for in
+/// between would be left away [LinuxCNC, emccanon.cc, linkable]. True of a block that sets such a mode.
+bool merges_points(const Step& step, const BlockCodes& codes);
+/// Q0 in that block: each point counts.
+void keep_each_point(BlockEditor& editor, const Block& block);
 
 class CodeWriter {
  public:

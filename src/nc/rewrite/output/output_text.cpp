@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.hpp"
+#include "nc/language/comment_line.hpp"
 #include "nc/rewrite/output/emit_text.hpp"
 #include "nc/syntax/line_source.hpp"
 
@@ -71,11 +72,7 @@ void OutputText::follow(const Step& step) {
 }
 
 void OutputText::write_stamp() {
-  for (const std::string& line : settings_.stamp) {
-    const std::size_t room = dialect_.line_length - std::min(dialect_.line_length, dialect_.comment_open.size() +
-                                                                                       dialect_.comment_close.size());
-    out_.write(dialect_.comment_open + line.substr(0, room) + dialect_.comment_close + newline_);
-  }
+  for (const std::string& line : settings_.stamp) out_.write(comment_line(line, dialect_) + newline_);
   guard_span_.first = out_.size();
   for (const std::string& line : settings_.guard) out_.write(line + newline_);
   guard_span_.second = out_.size();

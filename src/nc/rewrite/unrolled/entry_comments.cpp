@@ -7,6 +7,7 @@
 
 #include "base/files/path_of.hpp"
 #include "base/text/hash.hpp"
+#include "nc/language/comment_line.hpp"
 
 namespace plumbline::nc {
 namespace {
@@ -52,11 +53,7 @@ std::string EntryComments::text_of(const FlowEntry& entry) {
 }
 
 void EntryComments::write(OutputText& out) {
-  const std::size_t signs = dialect_.comment_open.size() + dialect_.comment_close.size();
-  for (const Pending& entry : entries_) {
-    const std::string_view text = std::string_view(entry.text).substr(0, dialect_.line_length - signs);
-    out.write_own_line(fmt::format("{}{}{}", dialect_.comment_open, text, dialect_.comment_close));
-  }
+  for (const Pending& entry : entries_) out.write_own_line(comment_line(entry.text, dialect_));
   entries_.clear();
 }
 

@@ -55,7 +55,7 @@ void append_path_control(CodeText& text, const Modal& was, const Modal& is) {
   text.code(text.codes().path_control(is.path_control));
   if (!continuous) return;
   text.word('P', is.switches.path_tolerance);
-  text.word('Q', is.switches.naive_tolerance);
+  text.word('Q', 0);  // each point counts
 }
 
 void append_tool_length(CodeText& text, const Step& step) {

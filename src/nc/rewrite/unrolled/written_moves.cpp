@@ -298,7 +298,7 @@ void WrittenMoves::append_taken_over(std::string& text, const Step& step) const 
     if (feeds_out) text.insert(begin + 1, "A=");
   };
   const auto length = [&](double mm) { return kept(step, Axis::Z, mm / step.after->unit_of(Axis::Z)); };
-  append('P', hole.dwell_s.value_or(0) / dialect_.behaviour.dwell_p_s);
+  append('P', hole.dwell_s.value_or(0) / (hole.dwell_pointed ? 1 : dialect_.behaviour.dwell_p_s));
   append('Q', by_depth ? 0 : length(hole.peck));
   append('I', by_depth ? length(hole.peck) : 0);
   append('J', length(hole.peck_to_r));

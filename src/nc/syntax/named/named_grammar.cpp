@@ -257,12 +257,17 @@ void NamedGrammar::read(BlockReading& in) {
     in.out.begin_flow(FlowWord::program, name).name = name;
     return;
   }
-  if (cursor.is(TokenKind::slash)) {
+  const auto read_slash = [&] {
+    if (!cursor.is(TokenKind::slash)) return;
     refuse_skipped_rest(in);
     read_block_skip(in);
     cursor.take(lex_named_item);
-  }
+  };
+  read_slash();
   block_number(in);
+  // "only at the start of the block or directly after the sequence name" [G 3.1]
+  const bool behind_name = in.syntax->labels == Labels::sequence_names && in.out.block().has_number();
+  if (behind_name && !in.out.block().block_delete) read_slash();
   if (program_name(in)) return;
   block_label(in);
   while (named_item(in) && in.out.flow().word == FlowWord::none) cursor.take(lex_named_item);

@@ -40,9 +40,15 @@ WordMode word_mode(BlockReading& in) {
                    "write it as in X=IC(5)");
 }
 
+// token() is a text: R6='HFF' and T='H02' are numbers in other digits.
+void refuse_other_digits(const BlockReading& in) {
+  if (in.syntax->word_modes && *in.cursor.token().begin == '\'') in.cursor.refuse_token("a value");
+}
+
 // T="12" is a number, T="MILL10" a name of the tool table.
 void tool_by_name(BlockReading& in, Span span) {
   in.cursor.take(lex_named_item);
+  refuse_other_digits(in);
   const Token& text = in.cursor.token();
   const std::string_view name(text.begin + 1, static_cast<std::size_t>(text.end - text.begin) - 2);
   span.end = in.cursor.span().end;
@@ -158,7 +164,7 @@ void refuse_tool_of_holder(const BlockReading& in, Span name) {
   const bool of_holder = in.syntax->declared && upper(text.front()) == 'T' && text.size() > 1 &&
                          std::all_of(text.begin() + 1, text.end(), is_digit);
   if (!of_holder) return;
-  const Token tool = in.cursor.peek(lex_named_item);
+  const Token& tool = in.cursor.token();
   in.cursor.refuse(name, codes::kNotInterpreted,
                    fmt::format("{}= speaks to a spindle or a tool holder of its own, which is not interpreted", text),
                    fmt::format("write T={}: there is one spindle", std::string_view(tool.begin, tool.end)));
@@ -207,6 +213,18 @@ void read_address(BlockReading& in, const NameMeaning& meaning, Span span) {
   read_assigned_word(in, letter, span, use);
 }
 
+// Up to four characters [G 3.6]: two longer ones may be one variable to the control.
+void refuse_long_name(const BlockReading& in, Span name) {
+  constexpr std::uint32_t kMost = 4;
+  if (in.syntax->statements != Statements::user_task || name.end - name.begin <= kMost) return;
+  in.cursor.refuse(
+      name, codes::kNotInterpreted,
+      fmt::format("{} has more than four characters, and what the control makes of a longer name was found "
+                  "in no source",
+                  in.out.at(name)),
+      "give the variable a name of up to four characters");
+}
+
 void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* meaning) {
   Setting setting;
   setting.span = name;
@@ -236,11 +254,10 @@ void read_assigned_variable(BlockReading& in, Span name, const NameMeaning* mean
   setting.span.end = in.cursor.here();
   if (setting.target == kLiteral) refuse_unknown_word(in, name);
   expect_equals(in, setting.span);
+  if (setting.target == kLiteral) refuse_long_name(in, name);
   if (item_follows(in, TokenKind::string)) {
-    if (*in.cursor.peek(lex_named_item).begin == '\'' && in.syntax->word_modes) {  // R6='HFF'
-      in.cursor.take(lex_named_item);
-      in.cursor.refuse_token("a value");
-    }
+    in.cursor.take(lex_named_item);
+    refuse_other_digits(in);
     refuse_tool_of_holder(in, name);
     in.cursor.refuse(setting.span, codes::kNotInterpreted, "texts are not interpreted",
                      "a program that shows messages this way needs them written as comments");

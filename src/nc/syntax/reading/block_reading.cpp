@@ -83,9 +83,11 @@ void need_number(const BlockReading& in, ValueKind kind, Span span) {
 void need_condition(const BlockReading& in, ValueKind kind, Span span) {
   if (kind == ValueKind::condition || !tells_conditions(*in.syntax)) return;
   const bool macro_b = in.syntax->statements == Statements::macro_b;
-  in.cursor.refuse(span, codes::kFlowControl, "a number stands here, and no condition",
-                   fmt::format("write what it is compared with, as in {}",
-                               macro_b ? "IF [#1 NE 0] GOTO 100" : "IF [VC1 NE 0] N100"));
+  in.cursor.refuse(
+      span, codes::kFlowControl, "a number stands here, and no condition",
+      fmt::format("write what it is compared with, as in {}",
+                  macro_b ? "IF [#1 NE 0] GOTO 100"
+                          : "IF [VC1 NE 0] N100; whether a name was set is asked by IF [NAME NE EMPTY] N100"));
 }
 
 ValueKind joined_kind(const BlockReading& in, Operation operation, Span span, ValueKind left, ValueKind right) {

@@ -23,6 +23,20 @@ void refuse_blank_in_number(const BlockReading& in) {
                    "take it out, or add the letter that is missing behind it");
 }
 
+// X1.y5. would be X1.5.
+void refuse_small_letters(const BlockReading& in) {
+  const std::string_view text = in.out.block().text;
+  for (std::size_t at = 0; at < text.size() && text[at] != ';'; ++at) {
+    if (text[at] == '(') at = text.find(')', at);
+    if (at == std::string_view::npos) return;
+    if (text[at] < 'a' || text[at] > 'z') continue;
+    const auto begin = static_cast<std::uint32_t>(at);
+    in.cursor.refuse({begin, begin + 1}, codes::kBadCharacter,
+                     "the control drops small letters where it reads a program in, and what is left is another block",
+                     "write the program in capital letters; comments in ( ) may have any");
+  }
+}
+
 void line_number(BlockReading& in) {
   const Token& token = in.cursor.token();
   const Span span = in.cursor.span();
@@ -114,6 +128,7 @@ void read_rs274_block(BlockReading& in) {
   };
   cursor.take(lex_item);
   if (cursor.is(TokenKind::percent)) return read_percent(in);
+  if (in.syntax->capitals) refuse_small_letters(in);
   if (cursor.is(TokenKind::slash)) {
     read_block_skip(in);
     cursor.take(lex_item);

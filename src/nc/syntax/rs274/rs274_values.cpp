@@ -184,7 +184,12 @@ void macro_arc_tangent(BlockReading& in, Span span) {
   }
   Token next;
   lex_value(cursor.token().end, next);
-  if (next.kind != TokenKind::open) return in.out.push(Operation::arc_tangent_of_one, span);
+  if (next.kind != TokenKind::open) {
+    cursor.refuse(
+        span, codes::kNotInterpreted,
+        "/ behind ATAN[..] is no division: it asks for a second value in brackets, and the control stops without",
+        "write ATAN[1]/[2] for the angle of two sides, or [ATAN[1]]/2 to divide the angle");
+  }
   cursor.accept(next);
   need_number(in, expression(in), span);
   in.out.push(Operation::arc_tangent_turn, span);

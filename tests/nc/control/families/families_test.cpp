@@ -250,6 +250,28 @@ TEST_CASE("an axis whose words have a sign goes home the way that its home says,
   CHECK(refused("G92 C5\nG28 X6\n", 0).empty());
 }
 
+TEST_CASE("an axis whose words have a sign is stored within one turn, and no offset sets it beyond") {
+  ProgramSettings settings = empty_tables();
+  settings.rotary = {RotaryRule::sign, RotaryRule::sign, RotaryRule::sign};
+  const auto home_of = [&](const std::string& stores, Axis axis) {
+    const std::string name = axis == Axis::C ? "6" : axis == Axis::A ? "4" : "5";
+    return motions_of("G90\n" + stores + "G0 X0\nX#518" + name + "\nM2\n", settings).back().to[Axis::X];
+  };
+  CHECK(home_of("G53 G0 C-350\nG30.1\n", Axis::C) == Approx(350));  // as rs274 has it with WRAPPED_ROTARY
+  CHECK(home_of("G0 A-10 B-20\nG30.1\n", Axis::A) == Approx(10));
+  CHECK(home_of("G0 A-10 B-20\nG30.1\n", Axis::B) == Approx(20));
+  CHECK(home_of("G0 C0\nG91 G1 C800 F100\nG90\nG30.1\n", Axis::C) == Approx(80));
+  const std::string start = "G90 G54\nG0 X0 Y0 Z0 A0 B0 C0\n";
+  for (const std::string line : {"G92 C-383", "G92 C360", "G52 C400", "G10 L20 P1 C365", "G92 X1 A-360"}) {
+    INFO(line);
+    CHECK(code_of(start + line + "\nM2\n", settings) == "nc-out-of-range");
+  }
+  for (const std::string line : {"G92 C-359", "G10 L20 P1 C10", "G10 L2 P1 C400", "G92 X1000"}) {
+    INFO(line);
+    CHECK(code_of(start + line + "\nM2\n", settings).empty());
+  }
+}
+
 TEST_CASE("behind a probe the help says what helps there") {
   const auto help = [](const std::string& text) {
     const auto refusal = refusal_of("G21 G90 G94\nG0 X0 Y0 Z20\n" + text + "M2\n", at_zero());

