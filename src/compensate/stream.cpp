@@ -7,11 +7,11 @@
 
 namespace plumbline::compensate {
 
-Stream::Stream(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
+Stream::Stream(const InputFile& source, const ProgramSurvey& survey, nc::ProgramSettings program,
                const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out)
     : source_(source),
       survey_(survey),
-      program_(program),
+      program_(std::move(program)),
       model_(model),
       settings_(settings),
       emit_(std::move(emit)),

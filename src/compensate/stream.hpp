@@ -20,7 +20,7 @@ namespace plumbline::compensate {
 class Stream {
  public:
   /// All references must outlive it.
-  Stream(const InputFile& source, const ProgramSurvey& survey, const nc::ProgramSettings& program,
+  Stream(const InputFile& source, const ProgramSurvey& survey, nc::ProgramSettings program,
          const machine::MachineModel& model, const Settings& settings, nc::EmitSettings emit, OutputFile& out);
 
   /// Notes what the output replaces; to be called before run(). `log` must outlive the stream.

@@ -26,7 +26,8 @@ double step(const Ways& ways, std::size_t from, std::size_t to) {
 
 // A row whose angle leaves its neighbours and comes back: the circle would end there, and most of it be thrown away.
 void refuse_jumps(const Ways& ways, const ForeignTable& table) {
-  constexpr double kBetween = 4, kAway = 10;  // usual steps
+  constexpr double kBetween = 4;  // usual steps
+  constexpr double kAway = 10;    // likewise
   const std::size_t count = ways.angle.size();
   std::vector<double> sizes;
   for (std::size_t i = 1; i < count; ++i) {

@@ -66,3 +66,17 @@ TEST_CASE("linuxcnc: G64 P beside a cycle that is written out is refused") {
   CHECK(code_of("G21 G90 G94 G17 G54\nG0 X20 Y0 Z5 A0 B0 C0\nF300 S500 M3\nG64 P0.01 G81 X25 Z-5 R2\nG80\nM2\n",
                 without_friction()) == "emit-shared-words");
 }
+
+TEST_CASE("linuxcnc: Q below 0 is none, and makes way for Q0") {
+  CHECK(shows_text(points_of("G21 G90 G94 G17 G54\nG64 P0.05 Q-0.1\n" + kCircle), "\nG64 P0.05 Q0\n"));
+  CHECK(shows_text(points_of("G21 G90 G94 G17 G54\nG64 P0.05 Q[0-1]\n" + kCircle), "\nG64 P0.05 Q0\n"));
+}
+
+TEST_CASE("linuxcnc: G64 P beside another code that takes P or Q is refused") {
+  for (const std::string block :
+       {"G64 P0.05 M68 E0 Q2", "G64 P0.05 M67 E0 Q1", "G64 G10 L2 P2 X1", "G64 G2 X10 I5 P2"}) {
+    INFO(block);
+    CHECK(code_of("G21 G90 G94 G17 G54\nG0 X0 Y0 Z5 A0 B0 C0\nF600\n" + block + "\nG1 X10\nM2\n", without_friction()) ==
+          "emit-shared-words");
+  }
+}

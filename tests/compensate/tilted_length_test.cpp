@@ -67,3 +67,40 @@ TEST_CASE("okuma: F has three decimals, or the block is refused") {
   job.settings.step.angle_deg = 20;
   CHECK(code_of(head + "G1 A4 B3 F77\nM2\n", job) == "emit-feed-range");
 }
+
+TEST_CASE("fanuc: after G49 under a tilt X, Y and Z are named again before anything cuts") {
+  const std::string head = "O1\nG21 G90 G17 G54\nG0 X0. Y0. Z200. A0. B0. C0. S500 M3\nG43 H1 Z50.\nG1 Z49. F100.\n";
+  CHECK(code_of(head + "G0 A8.\nG49\nG0 Z60.\nG1 X5.\nM30\n", fanuc_job()) == "compensate-position-unknown");
+  CHECK(code_of(head + "G0 A8.\nG49\nG0 X0. Y0. Z60.\nG1 X5.\nM30\n", fanuc_job()).empty());
+  CHECK(code_of(head + "G49\nG0 Z60.\nG1 X5.\nM30\n", fanuc_job()).empty());
+  CHECK(code_of(head + "G0 A8.\nG0 A0.\nG49\nG0 Z60.\nG1 X5.\nM30\n", fanuc_job()).empty());
+}
+
+TEST_CASE("a cycle follows the feed mode of its own block") {
+  const std::string holes = "X7.\nX9.\nG80\nG94\nM30\n";
+  const std::string head = "O1\nG21 G90 G17 G54\nG0 X0. Y0. Z60. A0. B0. C0. S500 M3\n";
+  for (const std::string cycle : {"G95 G84 X5. Y5. Z40. R45. F1.\n", "M29 S500\nG95 G84 X5. Y5. Z40. R45. F1.\n"}) {
+    const std::string text = run(head + cycle + holes, fanuc_job()).text;
+    INFO(text);
+    CHECK(text.find("G95", text.find("G95") + 1) == std::string::npos);
+  }
+}
+
+TEST_CASE("okuma: where / is taken away behind its name, a line keeps the blank") {
+  Job job = tilting_osp();
+  job.program.block_delete = false;
+  for (const auto& [line, written] : {std::pair{"N10 /X5 F100", "\nN10 "}, {"NAT1 /G1 X5 F100", "\nNAT1 "}}) {
+    const std::string text = run(std::string(kOspHead) + "G1 Z49 F100\n" + line + "\nM2\n", job).text;
+    INFO(text);
+    CHECK(text.find(written) != std::string::npos);
+    CHECK(text.find('/') == std::string::npos);
+  }
+}
+
+TEST_CASE("okuma: a feed a turn has finer decimals than one a minute") {
+  const std::string head = "G15 H1 G90 G94 G17\nG0 X0 Y0 Z50 A0 B0 C0\nM3 S1000\n";
+  for (const std::string cuts : {"G95\nG1 X1 F.1\nX1.5\nX2 Y3\nX2.2\nX10 Y5\nG94\n", "G95\nG1 Z20 F.5\nG94\n"}) {
+    INFO(cuts);
+    CHECK(code_of(head + cuts + "M2\n", tilting_osp()).empty());
+  }
+}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -102,9 +103,9 @@ void append_words(const nc::Block& block, const nc::Dialect& dialect, const nc::
 std::string with_passed_values(const nc::Step& step, const nc::Word& word) {
   std::string text(step.block->at(word.span));
   if (step.passed == nullptr) return text;
-  for (auto value = step.passed->rbegin(); value != step.passed->rend(); ++value) {
-    if (value->span.begin < word.span.begin || value->span.end > word.span.end) continue;
-    text.replace(value->span.begin - word.span.begin, value->span.end - value->span.begin, value->text);
+  for (const nc::PassedValue& value : std::views::reverse(*step.passed)) {
+    if (value.span.begin < word.span.begin || value.span.end > word.span.end) continue;
+    text.replace(value.span.begin - word.span.begin, value.span.end - value.span.begin, value.text);
   }
   return text;
 }

@@ -106,7 +106,8 @@ void act_on_mode(Execution& run, const Chosen& chosen) {
       modal.path_control = PathControl::continuous;
       modal.path_stated = true;
       modal.switches.path_tolerance = own('P').value_or(0);
-      modal.switches.naive_tolerance = own('Q').value_or(modal.switches.path_tolerance);
+      modal.switches.naive_tolerance = own('Q').value_or(-1);
+      if (modal.switches.naive_tolerance < 0) modal.switches.naive_tolerance = modal.switches.path_tolerance;
       return;
     case Action::work_system:
       return choose_work_system(run, chosen.row->value);

@@ -109,13 +109,14 @@ void Emitter::copy(const Step& step) {
   if (offset_words) refuse_shared_offset(step, codes);
   if (offset_words || text_.unrolls()) begin_change(step);
   const bool merges = merges_points(step, codes);
+  if (merges) refuse_shared_path(step, codes, dialect_);
   if (!text_.changed() && (merges || step.block_delete == BlockDelete::executed)) hold_changed(step, merges);
   if (text_.changed()) {
     refuse_point_without_code(step, codes, control_.motion);
     const std::uint64_t begin = text_.size();
     restore_feed_state(step, codes.feed != nullptr);
     editor_.start(block, spelling_);
-    if (step.block_delete == BlockDelete::executed) editor_.replace(block.slash, "");
+    if (step.block_delete == BlockDelete::executed) drop_slash(editor_, block);
     if (merges) keep_each_point(editor_, block);
     if (offset_words) add_offset_shifts(step);
     if (motion_missing) {
@@ -161,7 +162,7 @@ void Emitter::add_offset_shifts(const Step& step) {
 void Emitter::hold_changed(const Step& step, bool merges) {
   std::string text;
   editor_.start(*step.block, spelling_);
-  if (step.block_delete == BlockDelete::executed) editor_.replace(step.block->slash, "");
+  if (step.block_delete == BlockDelete::executed) drop_slash(editor_, *step.block);
   if (merges) keep_each_point(editor_, *step.block);
   editor_.apply(text);
   text_.hold(step, text);
@@ -195,6 +196,7 @@ EmittedMove Emitter::rewrite(const Step& step, std::span<const CorrectedPoint> p
   const BlockCodes codes = codes_.codes_of(*step.block);
   refuse_if_shared(step, codes);
   refuse_beside_unit(step, dialect_);
+  if (merges_points(step, codes)) refuse_shared_path(step, codes, dialect_);
   follow(step);
   begin_change(step);
   const std::uint64_t begin = text_.size();

@@ -23,6 +23,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   follow(step);
   begin_change(step);
   restore_feed_state(step, find_word(*step.block, 'F') != nullptr);
+  const BlockCodes codes = codes_.codes_of(*step.block);
   const PlaneAxes axes = axes_of(step.after->plane);
   note_cycle_level(step);
   AxisWords end_shift = control_.work_shift(*step.frame);
@@ -31,7 +32,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   const bool comes_from_below = !step.after->retract_to_r && !dialect_.behaviour.fanuc_cycles &&
                                 std::abs(step.holes.front().clear - step.holes.front().r) <= kSameHeight;
   editor_.start(*step.block, spelling_);
-  if (merges_points(step, codes_.codes_of(*step.block))) keep_each_point(editor_, *step.block);
+  if (merges_points(step, codes)) keep_each_point(editor_, *step.block);
   for (const Word& word : step.block->words) {
     std::optional<Axis> axis = axis_of(word.letter);
     const bool level = step.holes.front().ijk && word.letter == kCentreLetters[index(axes.third)];
@@ -59,6 +60,7 @@ EmittedMove Emitter::hole(const Step& step, const AxisWords& shift) {
   text_.end_block(step);
   control_.set_work_shift(*step.frame, end_shift);
   control_.motion = MotionMode::cycle;
+  if (codes.feed_mode != nullptr) control_.feed_mode = step.after->feed_mode;
   if (find_word(*step.block, 'F') != nullptr) control_.set_feed(step.after->feed);
   return {true, 1, std::nullopt, 0};
 }

@@ -117,4 +117,25 @@ void refuse_builders_codes(const Step& step, const Dialect& dialect) {
   }
 }
 
+// G64 P0.05 M68 E0 Q2: Q0 would be the output's as well.
+void refuse_shared_path(const Step& step, const BlockCodes& codes, const Dialect& dialect) {
+  const Block& block = *step.block;
+  const auto refuse = [&](std::string_view other) {
+    refuse_block(
+        block, "emit-shared-words",
+        fmt::format("{} takes P or Q as well as G64, which gets Q0 so that each corrected point counts", other),
+        "put G64 into a block of its own before");
+  };
+  for (const Word& word : block.words) {
+    const CodeRow* const row = is_code(word) && &word != codes.path_control ? dialect.row_of(word) : nullptr;
+    if (row == nullptr) continue;
+    for (const char letter : {'P', 'Q'}) {
+      if (find_word(block, letter) != nullptr && row->words.find(letter) != std::string::npos)
+        refuse(block.at(word.span));
+    }
+  }
+  const bool arc = !step.motions.empty() && step.motions.front().kind == MotionKind::arc;
+  if (arc && find_word(block, 'P') != nullptr) refuse("the arc");
+}
+
 }  // namespace plumbline::nc

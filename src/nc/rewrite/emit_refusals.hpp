@@ -38,4 +38,7 @@ void refuse_doubtful_increments(const Step& step, std::span<const Piece> pieces)
 /// emit-m-code.
 void refuse_builders_codes(const Step& step, const Dialect& dialect);
 
+/// Refuses a block that sets G64 P and has another code, or an arc, that takes its P or Q too.
+void refuse_shared_path(const Step& step, const BlockCodes& codes, const Dialect& dialect);
+
 }  // namespace plumbline::nc

@@ -21,6 +21,7 @@ constexpr double kSameFeed = 1e-12;    // relative
 constexpr double kNearFeed = 1e-4;     // as near as F must be written at least,
 constexpr double kOfTolerance = 0.9;   // of that of the time, where the control has F no finer,
 constexpr double kSixDigits = 5e-6;    // as near as six digits are
+constexpr int kMoreOfTurn = 2;         // decimals of a feed a turn, which is hundreds of times smaller
 constexpr double kLeastFeed = 1e-6;
 constexpr double kLargestFeed = 1e12;
 
@@ -95,7 +96,8 @@ void PieceFeeds::refuse_feed(double feed) const {
 double PieceFeeds::rounded_feed(double feed) const {
   if (!(feed > kLeastFeed && feed < kLargestFeed)) refuse_feed(feed);
   const int of_six = std::clamp(5 - static_cast<int>(std::floor(std::log10(feed))), 0, kMostDecimals);
-  const int of_control = std::min(of_six, dialect_.behaviour.feed_decimals);
+  const bool per_turn = step_.after->feed_mode == FeedMode::per_revolution;
+  const int of_control = std::min(of_six, dialect_.behaviour.feed_decimals + (per_turn ? kMoreOfTurn : 0));
   const int decimals = decimals_within(dialect_.behaviour.most_digits, feed, of_control);
   const double rounded = from_ticks(to_ticks(feed, decimals), decimals);
   const double own = settings_.time_tolerance * (in_the_middle_ ? kOfTolerance / 2 : kOfTolerance);

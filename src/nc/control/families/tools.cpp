@@ -65,7 +65,9 @@ void mark_unknown_length(Execution& run, int number) {
 // names them does the control say how.
 void lose_tilted_tip(Execution& run) {
   const Control& control = run.control;
-  if (!run.dialect.along_tool) return;
+  const bool ends =
+      run.dialect.syntax.statements == Statements::macro_b && run.chosen_row(Action::tool_length_off) != nullptr;
+  if (!run.dialect.along_tool && !ends) return;
   const AxisSet tip = AxisSet::linear();
   if (tilts_tool(run, control.known, control.position) && !(control.known & tip).empty()) lose_position(run, tip);
 }

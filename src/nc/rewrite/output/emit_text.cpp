@@ -128,6 +128,11 @@ void append_in_spelling(std::string& out, std::string_view code, const Spelling&
   for (const char c : code) out += plumbline::lower(c);
 }
 
+void drop_slash(BlockEditor& editor, const Block& block) {
+  const bool behind_name = block.has_number() && block.number.end <= block.slash.begin;
+  editor.replace(block.slash, behind_name ? " " : "");
+}
+
 std::string in_spelling(std::string_view code, const Spelling& spelling) {
   std::string text;
   append_in_spelling(text, code, spelling);

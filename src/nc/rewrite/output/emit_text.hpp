@@ -51,6 +51,9 @@ class BlockEditor {
   std::string texts_;
 };
 
+/// Takes the / of block delete away; behind the name of its line a blank stays in its place.
+void drop_slash(BlockEditor& editor, const Block& block);
+
 /// A code as the block spells its own: "G1" or "g1".
 void append_in_spelling(std::string& out, std::string_view code, const Spelling& spelling);
 std::string in_spelling(std::string_view code, const Spelling& spelling);

@@ -61,6 +61,21 @@ bool is_code_by_name(const BlockReading& in) {
 }
 
 // number = "N" , ( number | name ) | ":" , number; token() is what stands after it
+// NG0Z50: a name has one to four characters behind N, and a blank behind it [G 3.1].
+void check_sequence_name(const BlockReading& in, Span name) {
+  constexpr std::uint32_t kMost = 5;
+  const std::string text = upper(in.out.at(name));
+  const bool is_code = text.size() > 2 && (text[1] == 'G' || text[1] == 'M') && is_digit(text[2]);
+  if (text.size() <= kMost && !is_code) return;
+  in.cursor.refuse(
+      name, codes::kLineNumber,
+      fmt::format("{} is the name of this line, as whatever begins with N at its begin, and such a name has "
+                  "up to four characters behind the N",
+                  in.out.at(name)),
+      "write a blank behind the name where words follow, or a shorter name, here and where the program "
+      "goes to it");
+}
+
 void block_number(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
   const bool may_be_name = in.syntax->labels == Labels::sequence_names;
@@ -83,6 +98,7 @@ void block_number(BlockReading& in) {
              is_code_by_name(in)) {
     return;
   }
+  if (cursor.is(TokenKind::identifier)) check_sequence_name(in, number);
   in.out.set_number(number);
   cursor.take(lex_named_item);
   if (!may_be_name || !cursor.is(TokenKind::equals)) return;
