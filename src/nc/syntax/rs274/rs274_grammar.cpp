@@ -31,9 +31,10 @@ void refuse_small_letters(const BlockReading& in) {
     if (at == std::string_view::npos) return;
     if (text[at] < 'a' || text[at] > 'z') continue;
     const auto begin = static_cast<std::uint32_t>(at);
-    in.cursor.refuse({begin, begin + 1}, codes::kBadCharacter,
-                     "the control drops small letters where it reads a program in, and what is left is another block",
-                     "write the program in capital letters; comments in ( ) may have any");
+    in.cursor.refuse(
+        {begin, begin + 1}, codes::kBadCharacter,
+        "the control drops small letters where it reads a program in, and what is left is another block",
+        "write it in capital letters (comments may have any), or name the control that it is for: --dialect");
   }
 }
 
