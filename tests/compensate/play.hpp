@@ -77,6 +77,8 @@ inline compensate::ProgramSurvey surveyed(const InputFile& source, const Job& jo
 
 using Folder = testing::Scratch;
 
+inline bool has_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 struct Result {
   std::string text;
   compensate::Summary summary;

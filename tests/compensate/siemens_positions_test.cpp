@@ -9,8 +9,6 @@ using namespace plumbline;
 
 namespace {
 
-bool has_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 bool warns_of_stops(const compensate::Summary& summary) {
   return std::any_of(summary.warnings.begin(), summary.warnings.end(),
                      [](const Diagnostic& warning) { return warning.code == "compensate-stops"; });

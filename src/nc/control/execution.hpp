@@ -217,7 +217,9 @@ AxisWords end_of_move(const Execution& run);
 std::array<double, 2> polar_end(const Execution& run, double x, double y);
 /// The axes that words of the block send to a position, whatever the modes around them say.
 AxisSet absolute_words(const Execution& run);
-/// Refuses words of an offset that are a turn or more on an axis that the control keeps within one.
+/// A rotary axis that LinuxCNC keeps within one turn (WRAPPED_ROTARY): its words have a sign for the way round.
+bool is_wrapped(const Execution& run, Axis axis);
+/// Refuses words of an offset that are a turn or more on such an axis.
 void check_wrapped_words(const Execution& run);
 /// Which axes are known there.
 AxisSet known_after_move(const Execution& run);

@@ -116,7 +116,7 @@ void Emitter::copy(const Step& step) {
     const std::uint64_t begin = text_.size();
     restore_feed_state(step, codes.feed != nullptr);
     editor_.start(block, spelling_);
-    if (step.block_delete == BlockDelete::executed) drop_slash(editor_, block);
+    drop_slash(editor_, step);
     if (merges) keep_each_point(editor_, block);
     if (offset_words) add_offset_shifts(step);
     if (motion_missing) {
@@ -162,7 +162,7 @@ void Emitter::add_offset_shifts(const Step& step) {
 void Emitter::hold_changed(const Step& step, bool merges) {
   std::string text;
   editor_.start(*step.block, spelling_);
-  if (step.block_delete == BlockDelete::executed) drop_slash(editor_, *step.block);
+  drop_slash(editor_, step);
   if (merges) keep_each_point(editor_, *step.block);
   editor_.apply(text);
   text_.hold(step, text);

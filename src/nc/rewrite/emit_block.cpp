@@ -84,7 +84,7 @@ void PieceWriter::append_first(std::string& out, const Step& step, const Piece& 
                                const BlockCodes& codes, MotionMode standing, bool is_last) {
   const Block& block = *step.block;
   editor_.start(block, spelling);
-  if (step.block_delete == BlockDelete::executed) drop_slash(editor_, block);
+  drop_slash(editor_, step);
   if (merges_points(step, codes)) keep_each_point(editor_, block);
   for (const Span& span : block.left_out) editor_.replace(span, "");  // the words added may be of the same letter
   const std::string before = codes_before(step, piece, codes, standing, is_last);

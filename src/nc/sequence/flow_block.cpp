@@ -111,23 +111,17 @@ FilePlace program_called(const Block& block, const std::string& name, LabelIndex
 }
 
 // A control whose programs have eight digits calls O00020003 once.
-void take_eight_digits(const Block& block, const ProgramCall& program, std::string& name, int& times,
-                       LabelIndex& labels) {
-  const std::string whole = std::to_string(program.whole);
-  const auto is_there = [&](const std::string& asked) {
-    const std::vector<ProgramHead>& heads = labels.own_programs().heads;
-    return std::any_of(heads.begin(), heads.end(), [&](const ProgramHead& head) { return head.name == asked; });
-  };
-  if (!is_there(whole)) return;
-  if (is_there(name)) {
+std::optional<std::string> program_of_eight_digits(const Block& block, const ProgramCall& program, LabelIndex& labels) {
+  std::string whole = std::to_string(program.whole);
+  if (program.whole == 0 || !labels.begins_in(0, whole)) return std::nullopt;
+  if (labels.begins_in(0, std::to_string(program.number))) {
     refuse_flow(
         block, "nc-subprogram-ambiguous",
         fmt::format("P calls program {} once where programs have eight digits, and program {} {} times elsewhere",
-                    whole, name, program.count),
+                    whole, program.number, program.count),
         "say how often with L, as in M98 P3 L2");
   }
-  name = whole;
-  times = 1;
+  return whole;
 }
 
 }  // namespace plumbline::nc

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -49,9 +50,8 @@ inline LinePlace place_of_line(const Block& block) { return {block.offset, block
 /// that was called before.
 FilePlace program_called(const Block& block, const std::string& name, LabelIndex& labels, const Dialect& dialect);
 
-/// P00020003: program 3 called twice; or, on a control whose programs have eight digits, program 20003 once, where the
-/// file has that one and no 3. Refuses where it has both.
-void take_eight_digits(const Block& block, const ProgramCall& program, std::string& name, int& times,
-                       LabelIndex& labels);
+/// P00020003 calls program 3 twice; or, on a control whose programs have eight digits, program 20003 once: its name,
+/// where the file has that one and no 3. Refuses where it has both.
+std::optional<std::string> program_of_eight_digits(const Block& block, const ProgramCall& program, LabelIndex& labels);
 
 }  // namespace plumbline::nc

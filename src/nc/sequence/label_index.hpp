@@ -71,6 +71,8 @@ class LabelIndex {
   std::optional<std::size_t> crossing(std::size_t line);
   /// Of the program's own file.
   const ProgramHeads& own_programs() { return programs_of(0).programs; }
+  /// Whether a program of that name begins in the file.
+  bool begins_in(std::size_t file, const std::string& name);
   /// That line of a file, by its number, as a diagnostic shows it.
   Place shown(std::size_t file, const LinePlace& place) const;
   /// The first program of the program's own file that ends as a main program does, and begins in none of these lines.
@@ -101,7 +103,6 @@ class LabelIndex {
   static LineRange program_around(const Index& index, std::size_t line);
   Index& programs_of(std::size_t file);
   const Index& labels_of(std::size_t file);
-  bool begins_in(std::size_t file, const std::string& name);
   std::optional<FilePlace> find_in_open_files(const std::string& name);
   /// Labels, by which of the programs of the file jumps to them.
   using Targets = std::map<std::size_t, std::set<std::string>>;

@@ -306,9 +306,11 @@ void StatementFlow::call_program(const Block& block, const ProgramCall& program)
   Call call;
   call.name = std::to_string(program.number);
   call.by = CalledBy::code;
-  int times = program.count;
-  if (program.whole > 0) take_eight_digits(block, program, call.name, times, labels_);
-  call.remaining = times - 1;
+  call.remaining = program.count - 1;
+  if (const std::optional<std::string> whole = program_of_eight_digits(block, program, labels_)) {
+    call.name = *whole;
+    call.remaining = 0;
+  }
   if (program.kind == ProgramCall::Kind::part) {
     call.name.insert(0, 1, 'N');
     call.entry = {files_.current(), part_called(block, call.name, labels_, interpreter_)};

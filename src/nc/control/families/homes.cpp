@@ -42,9 +42,7 @@ HomeEnd end_on_plane(const Control& control, const Home& home, AxisSet moved) {
 // [LinuxCNC WRAPPED_ROTARY, measured]. With an offset of the axis it is neither that of the place nor of the machine.
 double end_at_home(const Execution& run, Axis axis, const Home& home, double end) {
   const Control& control = run.control;
-  const bool by_sign = is_rotary(axis) && control.modal.rule_of(axis) == RotaryRule::sign &&
-                       run.dialect.syntax.system_variables == SystemVariables::rs274;
-  if (!by_sign) return end;
+  if (!is_wrapped(run, axis)) return end;
   if (end != home.machine[axis] || std::abs(end) >= kFullTurn) {
     run.refuse(
         run.first_word(), codes::kNotInterpreted,
@@ -107,10 +105,8 @@ void store_home(Execution& run, int which) {
   const Control& control = run.control;
   Home& home = run.control.homes[static_cast<std::size_t>(which)];
   home.machine = control.frame.to_machine(control.position);
-  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {  // [interp_convert.cc, convert_savehome]
-    const bool wrapped = control.modal.rule_of(axis) == RotaryRule::sign &&
-                         run.dialect.syntax.system_variables == SystemVariables::rs274;
-    if (wrapped) home.machine[axis] = within_one_turn(home.machine[axis]);
+  for (const Axis axis : kAllAxes) {  // [interp_convert.cc, convert_savehome]
+    if (is_wrapped(run, axis)) home.machine[axis] = within_one_turn(home.machine[axis]);
   }
   home.known = known_in_work(control.frame, control.known);
   run.step.role = BlockRole::stores_position;

@@ -75,12 +75,14 @@ void check_within_turn(const Execution& run, const Word& word) {
 
 }  // namespace
 
+bool is_wrapped(const Execution& run, Axis axis) {
+  return is_rotary(axis) && run.control.modal.rule_of(axis) == RotaryRule::sign &&
+         run.dialect.syntax.system_variables == SystemVariables::rs274;
+}
+
 void check_wrapped_words(const Execution& run) {
-  for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-    const bool wrapped = run.control.modal.rule_of(axis) == RotaryRule::sign &&
-                         run.dialect.syntax.system_variables == SystemVariables::rs274;
-    const Word* const word = wrapped && run.axes.contains(axis) ? run.words.find(axis) : nullptr;
-    if (word != nullptr) check_within_turn(run, *word);
+  for (const Axis axis : kAllAxes) {
+    if (run.axes.contains(axis) && is_wrapped(run, axis)) check_within_turn(run, *run.words.find(axis));
   }
 }
 

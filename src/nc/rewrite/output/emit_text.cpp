@@ -128,7 +128,9 @@ void append_in_spelling(std::string& out, std::string_view code, const Spelling&
   for (const char c : code) out += plumbline::lower(c);
 }
 
-void drop_slash(BlockEditor& editor, const Block& block) {
+void drop_slash(BlockEditor& editor, const Step& step) {
+  if (step.block_delete != BlockDelete::executed) return;
+  const Block& block = *step.block;
   const bool behind_name = block.has_number() && block.number.end <= block.slash.begin;
   editor.replace(block.slash, behind_name ? " " : "");
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text/number_text.hpp"
+#include "nc/control/step.hpp"
 #include "nc/language/block.hpp"
 
 namespace plumbline::nc {
@@ -51,8 +52,8 @@ class BlockEditor {
   std::string texts_;
 };
 
-/// Takes the / of block delete away; behind the name of its line a blank stays in its place.
-void drop_slash(BlockEditor& editor, const Block& block);
+/// Takes the / of a block away that is executed all the same; behind the name of its line a blank stays in its place.
+void drop_slash(BlockEditor& editor, const Step& step);
 
 /// A code as the block spells its own: "G1" or "g1".
 void append_in_spelling(std::string& out, std::string_view code, const Spelling& spelling);

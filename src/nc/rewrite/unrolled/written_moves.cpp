@@ -132,7 +132,7 @@ void WrittenMoves::add_rest(const Step& step) {
       ++words_left;
     }
   }
-  if (step.block_delete == BlockDelete::executed) drop_slash(editor_, block);
+  drop_slash(editor_, step);
   if (words_left + block.comments.size() + block.settings.size() == 0) {
     number_ = block.at(block.number);
     return;
@@ -312,7 +312,7 @@ void WrittenMoves::add_hole_in_place(const Step& step, bool anew) {
   const Hole& hole = step.holes.front();
   const PlaneAxes axes = axes_of(step.after->plane);
   editor_.start(block, spelling_);
-  if (step.block_delete == BlockDelete::executed) drop_slash(editor_, block);
+  drop_slash(editor_, step);
   const Word* const head = std::find_if(
       block.words.data(), block.words.data() + block.words.size(),
       [&](const Word& word) { return word.letter == letter(axes.first) || word.letter == letter(axes.second); });
