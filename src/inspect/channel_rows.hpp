@@ -31,7 +31,7 @@ class Channels {
     }
     prediction_.emplace(suspects.known, slopes_, gram);
     off_ = prediction_->off(left_);
-    chi2_ = prediction_->product(off_, off_);
+    chi2_ = prediction_->square(off_);
     measured_ = whitened([](std::size_t, const RunRows& of) { return of.measured; });
   }
 
@@ -63,12 +63,16 @@ class Channels {
   /// The misfit if these were the readings.
   double chi2_of(const Eigen::VectorXd& readings) const {
     const Eigen::VectorXd off = off_ + readings - measured_;
-    return prediction_->product(off, off);
+    return prediction_->square(off);
+  }
+  /// The same for each of many columns of readings.
+  Eigen::VectorXd chi2_of_each(const Eigen::MatrixXd& readings) const {
+    return prediction_->squares(readings.colwise() + (off_ - measured_));
   }
   /// The part of it that some channels have.
   double chi2_of(const Eigen::VectorXd& readings, const std::vector<int>& about) const {
     const Eigen::VectorXd off = only(off_ + readings - measured_, about);
-    return prediction_->product(off, off);
+    return prediction_->square(off);
   }
   /// What is predicted of some channels, nil elsewhere.
   Eigen::VectorXd predicted(const std::vector<int>& channels) const { return only(measured_ - off_, channels); }
@@ -91,8 +95,10 @@ class Channels {
 
   /// The factor by which readings of some channels are what is predicted.
   double factor(const std::vector<int>& channels) const {
-    const Eigen::VectorXd u = predicted(channels);
-    return prediction_->product(only(measured_, channels), u) / prediction_->product(u, u);
+    Eigen::MatrixXd both(rows(), 2);
+    both << only(measured_, channels), predicted(channels);
+    const Eigen::MatrixXd products = prediction_->products(both, both);
+    return products(0, 1) / products(1, 1);
   }
   /// The products of such columns with each other and with what is off.
   void products(const Eigen::MatrixXd& columns, Eigen::MatrixXd& squares, Eigen::VectorXd& with_off) const {
@@ -105,9 +111,10 @@ class Channels {
   };
   std::vector<Added> added(const Eigen::MatrixXd& columns) const {
     const Eigen::MatrixXd with = prediction_->products(columns, off_);
+    const Eigen::VectorXd squares = prediction_->squares(columns);
     std::vector<Added> all;
     for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-      const double square = prediction_->product(columns.col(k), columns.col(k));
+      const double square = squares[k];
       all.push_back({square > 0 ? with(k, 0) * with(k, 0) / square : 0, square > 0 ? with(k, 0) / square : 0});
     }
     return all;

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "base/angle.hpp"
+#include "base/parallel.hpp"
 #include "inspect/channel_rows.hpp"
 #include "inspect/hypothesis.hpp"
 #include "inspect/records/records.hpp"
@@ -116,15 +119,17 @@ void try_exchanges(std::vector<Tried>& all, const Channels& channels) {
   }
 }
 
-void try_motors(std::vector<Tried>& all, const Channels& channels) {
-  const std::vector<int> motors{1, 2, 3, 4, 5, 6};
-  for (const int motor : motors) {
-    try_sign(all, channels, FaultKind::motor_sign, {motor}, 7);
-    try_unit(all, channels, FaultKind::torque_unit, {motor}, 7);
+void try_bar(std::vector<Tried>& all, const Channels& channels) {
+  try_sign(all, channels, FaultKind::bar_sign, {kRadial}, 1);
+  try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 1);
+  for (const double unit : {1e-3, 1e3, 25.4, 1 / 25.4, 2.0, 0.5}) {  // mm, nm, thousandths of an inch, a diameter
+    try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 6, unit);
   }
+}
+
+void try_motors(std::vector<Tried>& all, const Channels& channels, const std::vector<int>& motors) {
   try_sign(all, channels, FaultKind::motor_sign, motors, 7);
   try_unit(all, channels, FaultKind::torque_unit, motors, 7);
-  try_exchanges(all, channels);
 }
 
 // How far each sample is along the way from the first one, rad.
@@ -163,9 +168,9 @@ VectorXd further_on(const Run& run, const Run& whole, const std::vector<double>&
 }
 
 // Clocks that are apart by so many seconds: those channels as they were so much later.
-double chi2_of_clock(const Channels& channels, const std::vector<int>& about, double seconds) {
+VectorXd readings_of_clock(const Channels& channels, const std::vector<int>& about, double seconds) {
   const Suspects& suspects = channels.suspects();
-  return channels.chi2_of(channels.whitened([&](std::size_t i, const RunRows& rows) {
+  return channels.whitened([&](std::size_t i, const RunRows& rows) {
     const Run& run = suspects.all[suspects.runs[i]];
     const Run& whole = suspects.whole[suspects.runs[i]];
     VectorXd readings = rows.measured;
@@ -175,7 +180,11 @@ double chi2_of_clock(const Channels& channels, const std::vector<int>& about, do
           further_on(run, whole, readings_of_channel(whole, channel), seconds * run.feed / run.radius);
     }
     return readings;
-  }));
+  });
+}
+
+double chi2_of_clock(const Channels& channels, const std::vector<int>& about, double seconds) {
+  return channels.chi2_of(readings_of_clock(channels, about, seconds));
 }
 
 // Readings between two samples have less noise than either: a clock is weighed by what whole samples leave, unless it
@@ -194,18 +203,15 @@ void try_clock(std::vector<Tried>& all, const Channels& channels, const std::vec
   const Suspects& suspects = channels.suspects();
   const Run& first = suspects.all[suspects.runs[0]];
   const double whole = kTurn * first.radius / first.feed;  // s
-  double best = 0;
-  double least = channels.chi2();
-  for (const double share : {0.005, 0.01, 0.02, 0.04, 0.08, 0.16}) {
-    for (const double sign : {1.0, -1.0}) {
-      const double chi2 = chi2_of_clock(channels, about, sign * share * whole);
-      if (chi2 < least) {
-        least = chi2;
-        best = sign * share * whole;
-      }
-    }
+  constexpr std::array kShares{0.005, -0.005, 0.01, -0.01, 0.02, -0.02, 0.04, -0.04, 0.08, -0.08, 0.16, -0.16};
+  MatrixXd readings(channels.rows(), static_cast<Index>(kShares.size()));
+  for (Index k = 0; k < readings.cols(); ++k) {
+    readings.col(k) = readings_of_clock(channels, about, kShares[static_cast<std::size_t>(k)] * whole);
   }
-  if (best == 0) return;
+  Index nearest = 0;
+  double least = channels.chi2_of_each(readings).minCoeff(&nearest);
+  if (least >= channels.chi2()) return;
+  double best = kShares[static_cast<std::size_t>(nearest)] * whole;
   double step = std::abs(best) / 2;
   for (int round = 0; round < 14; ++round) {
     bool moved = false;
@@ -265,6 +271,18 @@ void try_motor_zeros(std::vector<Tried>& all, const Channels& channels) {
   }
 }
 
+// Something that is tried by itself, beside others.
+using Try = std::function<void(std::vector<Tried>&)>;
+
+void add_motors(std::vector<Try>& tries, const Channels& channels) {
+  for (int motor = 1; motor < kChannels; ++motor) {
+    tries.emplace_back([&channels, motor](auto& all) { try_motors(all, channels, {motor}); });
+  }
+  tries.emplace_back([&](auto& all) { try_motors(all, channels, {1, 2, 3, 4, 5, 6}); });
+  tries.emplace_back([&](auto& all) { try_exchanges(all, channels); });
+  tries.emplace_back([&](auto& all) { try_motor_zeros(all, channels); });
+}
+
 }  // namespace
 
 std::optional<Drift> drift_of(const Suspects& suspects) {
@@ -283,23 +301,20 @@ double chi2_as_stated(const Suspects& suspects) { return Channels(suspects).chi2
 
 std::vector<Tried> tried_channels(const Suspects& suspects) {
   const Channels channels(suspects);
+  const bool bar = channels.has(kRadial);
+  const bool motors = channels.has(1);
+  std::vector<Try> tries;
+  if (bar) tries.emplace_back([&](auto& all) { try_bar(all, channels); });
+  if (motors) add_motors(tries, channels);
+  if (bar && motors) {
+    tries.emplace_back([&](auto& all) { try_clock(all, channels, {kRadial}); });
+    tries.emplace_back([&](auto& all) { try_clock(all, channels, {1, 2, 3, 4, 5, 6}); });
+  }
+  if (suspects.runs.size() == 1) tries.emplace_back([&](auto& all) { try_added(all, channels); });
+  std::vector<std::vector<Tried>> each(tries.size());
+  for_each_index(tries.size(), [&](std::size_t i) { tries[i](each[i]); });
   std::vector<Tried> all;
-  if (channels.has(kRadial)) {
-    try_sign(all, channels, FaultKind::bar_sign, {kRadial}, 1);
-    try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 1);
-    for (const double unit : {1e-3, 1e3, 25.4, 1 / 25.4, 2.0, 0.5}) {  // mm, nm, thousandths of an inch, a diameter
-      try_unit(all, channels, FaultKind::bar_unit, {kRadial}, 6, unit);
-    }
-  }
-  if (channels.has(1)) {
-    try_motors(all, channels);
-    try_motor_zeros(all, channels);
-  }
-  if (channels.has(kRadial) && channels.has(1)) {
-    try_clock(all, channels, {kRadial});
-    try_clock(all, channels, {1, 2, 3, 4, 5, 6});
-  }
-  if (suspects.runs.size() == 1) try_added(all, channels);
+  for (std::vector<Tried>& some : each) std::move(some.begin(), some.end(), std::back_inserter(all));
   return all;
 }
 

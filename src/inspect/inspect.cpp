@@ -299,12 +299,15 @@ class Inspector {
       const std::optional<Drift> common = drift_of(agree);
       if (common && common->gain > 2 * options_.least_nats) return common->size;
     }
+    std::vector<std::optional<Drift>> each(looked.rows.size());
+    for_each_index(each.size(), [&](std::size_t i) {
+      const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
+      each[i] = drift_of({bench_, looked.runs, looked.whole, {i}, {&looked.rows[i]}, known});
+    });
     std::vector<double> sizes;
     double sum = 0;
     int with = 0;
-    for (std::size_t i = 0; i < looked.rows.size(); ++i) {
-      const Knowledge known = knowledge_of_others(outliers, looked.rows, i);
-      const std::optional<Drift> drift = drift_of({bench_, looked.runs, looked.whole, {i}, {&looked.rows[i]}, known});
+    for (const std::optional<Drift>& drift : each) {
       if (!drift) continue;
       sum += drift->gain - 1;
       if (drift->gain > options_.least_nats / 4) ++with;
@@ -324,8 +327,10 @@ class Inspector {
     if (drifts) found.faults.push_back({FaultKind::drift, looked.numbers, true, {kRadial}, {*drifts}});
     std::vector<std::optional<Fault>> faults(looked.runs.size());
     std::vector<bool> explained(looked.runs.size(), false);
-    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
+    for_each_index(looked.runs.size(), [&](std::size_t i) {
       found.runs[looked.numbers[i]] = misfit_of(looked, outliers, i, off_prediction(looked, outliers, i));
+    });
+    for (std::size_t i = 0; i < looked.runs.size(); ++i) {
       if (excess_of(outliers, i, options_.outliers) < 1) continue;
       faults[i] = fault_of_run(looked, bench_, outliers, i, options_);
       explained[i] = faults[i].has_value();

@@ -63,6 +63,7 @@ RunRows Bench::rows(const measure::Run& run) const {
   rows.raw = std::move(problem.raw[0]);
   rows.measured = readings_of(run);
   rows.gram = problem.blocks[0].gram(prior.columns, prior.columns);
+  rows.pull = rows.slopes.transpose() * rows.left;
   return rows;
 }
 

@@ -27,6 +27,7 @@ struct RunRows {
   identify::RunEquations raw;  // residuals and set-up, SI
   Eigen::VectorXd measured;    // the readings, channel after channel, SI
   Eigen::MatrixXd gram;        // slopes^T slopes
+  Eigen::VectorXd pull;        // slopes^T left
 
   Eigen::Index rows() const { return left.size(); }
 };

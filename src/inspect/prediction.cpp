@@ -12,7 +12,7 @@ void fit_spreads(Prior& prior, const std::vector<const RunRows*>& runs, int roun
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(count);
   for (const RunRows* run : runs) {
     data += run->gram;
-    pull += run->slopes.transpose() * run->left;
+    pull += run->pull;
   }
   for (int round = 0; round < rounds; ++round) {
     Eigen::MatrixXd information = data;

@@ -19,7 +19,7 @@ struct Knowledge {
   }
   void add(const RunRows& run) {
     information += run.gram;
-    pull += run.slopes.transpose() * run.left;
+    pull += run.pull;
   }
   Eigen::VectorXd mean() const { return information.llt().solve(pull); }
 };
@@ -42,14 +42,23 @@ class Prediction {
     const Eigen::VectorXd Na = slopes_.transpose() * a;
     return a.dot(b) - Na.dot(both_.solve(Nb));
   }
-  double chi2(const Eigen::VectorXd& left) const {
-    const Eigen::VectorXd e = off(left);
-    return product(e, e);
+  /// product(a, a), in half its time.
+  double square(const Eigen::VectorXd& a) const {
+    const Eigen::VectorXd Na = slopes_.transpose() * a;
+    return a.dot(a) - Na.dot(both_.solve(Na));
   }
+  /// The same of each of many columns at once.
+  Eigen::VectorXd squares(const Eigen::MatrixXd& A) const {
+    const Eigen::MatrixXd NA = slopes_.transpose() * A;
+    return (A.colwise().squaredNorm() - both_.matrixL().solve(NA).colwise().squaredNorm()).transpose();
+  }
+  double chi2(const Eigen::VectorXd& left) const { return square(off(left)); }
   const Eigen::VectorXd& mean() const { return mean_; }
   /// The same of many columns at once: A^T (1 + N C N^T)^-1 B
   Eigen::MatrixXd products(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) const {
-    return A.transpose() * B - (slopes_.transpose() * A).transpose() * both_.solve(slopes_.transpose() * B);
+    const Eigen::MatrixXd NA = slopes_.transpose() * A;
+    if (&A == &B) return A.transpose() * A - NA.transpose() * both_.solve(NA);
+    return A.transpose() * B - NA.transpose() * both_.solve(slopes_.transpose() * B);
   }
 
  private:

@@ -4,6 +4,7 @@
 
 #include "base/angle.hpp"
 #include "base/diagnostic.hpp"
+#include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "inspect/hypothesis.hpp"
 #include "inspect/records/records.hpp"
@@ -194,20 +195,22 @@ Stack stacked(const std::vector<const RunRows*>& runs) {
 }
 
 Stack made_rows(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
-  std::vector<RunRows> rows;
-  for (const std::size_t r : suspects.runs) rows.push_back(suspects.bench.rows(relabelled.made(suspects.all[r], p)));
+  std::vector<RunRows> rows(suspects.runs.size());
+  for_each_index(rows.size(), [&](std::size_t i) {
+    rows[i] = suspects.bench.rows(relabelled.made(suspects.all[suspects.runs[i]], p));
+  });
   std::vector<const RunRows*> each;
   for (const RunRows& run : rows) each.push_back(&run);
   return stacked(each);
 }
 
 VectorXd made_left(const Suspects& suspects, const Relabelled& relabelled, const VectorXd& p) {
-  std::vector<VectorXd> each;
+  std::vector<VectorXd> each(suspects.runs.size());
+  for_each_index(each.size(), [&](std::size_t i) {
+    each[i] = suspects.bench.left(relabelled.made(suspects.all[suspects.runs[i]], p));
+  });
   Eigen::Index rows = 0;
-  for (const std::size_t r : suspects.runs) {
-    each.push_back(suspects.bench.left(relabelled.made(suspects.all[r], p)));
-    rows += each.back().size();
-  }
+  for (const VectorXd& one : each) rows += one.size();
   VectorXd left(rows);
   Eigen::Index at = 0;
   for (const VectorXd& one : each) {
@@ -262,7 +265,7 @@ Tried fitted(const Suspects& suspects, Relabelled& relabelled, const Prediction&
   for (int step = 0; step < kSteps; ++step) {
     const VectorXd left = made_left(suspects, relabelled, p);
     const VectorXd off = prediction.off(left);
-    const double chi2 = prediction.product(off, off);
+    const double chi2 = prediction.square(off);
     if (best && !(chi2 < best->chi2)) break;
     const bool settled = best && best->chi2 - chi2 < 1e-3 * chi2;
     best = Tried{{relabelled.kind, suspects.runs}, chi2, penalty_of(suspects, relabelled)};
@@ -305,7 +308,7 @@ std::optional<Tried> tried(const Suspects& suspects, const Relabelled& relabelle
       const Stack stack = made_rows(suspects, relabelled, p);
       const Prediction prediction(suspects.known, stack.slopes);
       const VectorXd off = prediction.off(stack.left);
-      const double chi2 = prediction.product(off, off);
+      const double chi2 = prediction.square(off);
       const bool gained = !best || chi2 < best->chi2;
       const double gain = best ? best->chi2 - chi2 : chi2;
       if (gained) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "inspect/statistics.hpp"
 #include "inspect/together.hpp"
@@ -186,9 +187,8 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
   std::optional<Fault> best;
   double least = together.chi2();
   double least_dense = least;
-  const auto consider = [&](const Alike& alike) {
-    const Choice of_alike(together, alike);
-    const Chosen choice = of_alike.best(options.least_nats);
+  const auto chosen_of = [&](const Alike& alike) { return Choice(together, alike).best(options.least_nats); };
+  const auto consider = [&](const Alike& alike, const Chosen& choice) {
     const auto count = static_cast<std::size_t>(std::count(choice.which.begin(), choice.which.end(), true));
     const double objective = choice.objective() + 2 * alike.penalty;
     if (count < 2 || count + 2 > together.runs()) return;  // one run, or one that is right, is judged by itself
@@ -199,7 +199,7 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
                       choice.chi2 < options.near * std::max(best->after, static_cast<double>(together.rows()));
     if (same ? dense >= least_dense : objective >= least) return;
     // what some do not show, as the sign of a coordinate that is nil, is still of all; a factor of all is none of some
-    const Chosen all_runs = of_alike.at(Which(together.runs(), true));
+    const Chosen all_runs = Choice(together, alike).at(Which(together.runs(), true));
     const bool of_all = all_runs.objective() < choice.objective() + 2 * options.least_nats;
     if (of_all && is_unit(alike.fault.kind)) return;
     least = objective;
@@ -207,8 +207,11 @@ std::optional<Fault> fault_of_some(const Looked& looked, const Bench& bench, con
     best = made(together, alike, of_all ? all_runs : choice);
     best->all = of_all;
   };
-  for (const Alike& alike : of_channels(together)) consider(alike);
-  if (labels) consider_labels(together, consider);
+  const std::vector<Alike> alikes = of_channels(together);
+  std::vector<Chosen> each(alikes.size());
+  for_each_index(each.size(), [&](std::size_t i) { each[i] = chosen_of(alikes[i]); });
+  for (std::size_t i = 0; i < each.size(); ++i) consider(alikes[i], each[i]);
+  if (labels) consider_labels(together, [&](const Alike& alike) { consider(alike, chosen_of(alike)); });
   if (!best) return std::nullopt;
   // as with one run and with all: it takes away most of what is off, and leaves little more than noise
   const double expected = noise.expected({});

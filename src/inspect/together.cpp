@@ -58,7 +58,7 @@ Together::Together(const Looked& looked, const Bench& bench) : looked_(looked), 
   alone_.resize(runs());
   for_each_index(runs(), [&](std::size_t r) {
     const RunRows& rows = looked.rows[r];
-    stated_[r] = of_left(rows, rows.left);
+    stated_[r] = as_stated(rows);
     readings_[r] = readings_of_channels(rows);
     alone_[r].factored = factored_alone(rows.gram);
     alone_[r].chi2 = chi2_alone(alone_[r].factored, stated_[r]);
@@ -107,7 +107,7 @@ std::vector<Information> Together::with_labels(const std::function<void(Run&)>& 
     change(run);
     try {
       RunRows rows = bench_.rows(run);
-      all[r] = of_left(rows, rows.left);
+      all[r] = as_stated(rows);
       all[r].gram = std::move(rows.gram);
     } catch (const Refusal&) {
     }
@@ -177,8 +177,8 @@ Which Together::better_alone(const Alike& alike) const {
   return better;
 }
 
-Information Together::of_left(const RunRows& rows, const VectorXd& left) const {
-  Information run{{}, rows.slopes.transpose() * left, {}, left.squaredNorm()};
+Information Together::as_stated(const RunRows& rows) const {
+  Information run{{}, rows.pull, {}, rows.left.squaredNorm()};
   run.white_pull = factored_.matrixL().solve(run.pull);
   return run;
 }

@@ -81,7 +81,7 @@ class Together {
     double chi2 = 0;  // as it is stated
   };
 
-  Information of_left(const RunRows& rows, const Eigen::VectorXd& left) const;
+  Information as_stated(const RunRows& rows) const;
   Readings readings_of_channels(const RunRows& rows) const;
   Eigen::LLT<Eigen::MatrixXd> factored_alone(const Eigen::MatrixXd& gram) const;
   double chi2_without(const Which& out) const;

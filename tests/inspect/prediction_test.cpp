@@ -26,6 +26,7 @@ inspect::RunRows rows_of(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& l
   rows.slopes = slopes;
   rows.left = left;
   rows.gram = slopes.transpose() * slopes;
+  rows.pull = slopes.transpose() * left;
   return rows;
 }
 
@@ -50,7 +51,13 @@ TEST_CASE("a prediction weighs what is off by noise and by what is not known of 
   CHECK(prediction.chi2(run.left) == Approx(off.dot(full.inverse() * off)));
   CHECK((prediction.off(run.left) - off).norm() < 1e-10);
   const Eigen::MatrixXd A = drawn(12, 2);
-  CHECK((prediction.products(A, A) - A.transpose() * full.inverse() * A).norm() < 1e-9);
+  const Eigen::MatrixXd of_A = A.transpose() * full.inverse() * A;
+  CHECK((prediction.products(A, A) - of_A).norm() < 1e-9);
+  CHECK((prediction.squares(A) - of_A.diagonal()).norm() < 1e-9);
+  CHECK(prediction.square(A.col(0)) == Approx(of_A(0, 0)));
+  CHECK(prediction.product(A.col(0), A.col(1)) == Approx(of_A(0, 1)));
+  const Eigen::MatrixXd B = drawn(12, 3);
+  CHECK((prediction.products(A, B) - A.transpose() * full.inverse() * B).norm() < 1e-9);
 }
 
 TEST_CASE("effects that runs do not need shrink to nothing, and those that they need do not") {
