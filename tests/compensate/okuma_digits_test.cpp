@@ -31,3 +31,16 @@ TEST_CASE("OSP: no word has more decimals than the control keeps, and increments
     CHECK(result.summary.rounding_mm.value <= 0.0009);
   }
 }
+
+TEST_CASE("OSP: a feed that is worked out is written with the decimals that the control keeps") {
+  Job job = job_of_control("okuma");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const std::string head = "G15 H1\nG17 G90 G94\nG0 X-30 Y-50 Z50 A0 B0 C0\n";
+  for (const char* const moves :
+       {"VC1=7\nG1 X5 F=1000/VC1\nVC1=VC1+1\nX10\n", "FEED=700\nG1 X5 F=FEED/3\nFEED=FEED+1\nX7 F=FEED*1.00001\n",
+        "VC1=3\nG71 Z50\nG85 X5 Z-5 R2 F100 FA=1000/VC1 M53\nVC1=4\nX9\nG0 Z50\n"}) {
+    const Result result = run(head + moves + "G0 X0\nM2\n", job);
+    INFO(result.text);
+    CHECK_FALSE(std::regex_search(result.text, std::regex("FA?=?[0-9]+\\.[0-9]{4}")));
+  }
+}

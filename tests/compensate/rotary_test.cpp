@@ -57,6 +57,17 @@ TEST_CASE("words whose sign says the way round stay small turns") {
   CHECK_FALSE(matches(out, "[ABC]-0(\\.0*)?( |$)"));
 }
 
+TEST_CASE("C-0 after a correction that left C below 0 is written as what turns upwards") {
+  const Job job = job_for("linuxcnc", nc::RotaryRule::sign);
+  for (const std::string text : {"G21 G90 G54 F200\nG0 X0 Y0 Z20 A0 B0 C0\nG1 Y3\nG0 C-0\nM2\n",
+                                 "G21 G90 G54 F200\nG0 X30 Y0 Z20 A0 B0 C0\nG2 I-3 J0 A0.57\nG0 C-0\nM2\n",
+                                 "G21 G90 G54 F200\nG0 X0 Y0 Z20 A0 B0 C0\nG1 X9 Y3\nX2 B-0 C-0\nM2\n"}) {
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK(largest_turn(result.text, job) < 5);
+  }
+}
+
 TEST_CASE("words that go the shorter way stay small turns") {
   check_small_turns(
       "O1\nG21 G90 G94 G54\nG0 X0. Y0. Z20. A0. B0. C0.\nG1 X30. Y10. A10. B355. C-8. F900.\nX40. Y-20. A-2. B5. "

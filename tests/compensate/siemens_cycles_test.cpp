@@ -268,3 +268,15 @@ TEST_CASE("cuts whose time is not known are counted") {
     CHECK(run(kDrillStart + lines + "G0 Z50\nM30\n", job).summary.untimed_moves == untimed);
   }
 }
+
+TEST_CASE("F is no block of its own where positions of MCALL stand in a part that is written out") {
+  const Job job = siemens_job();
+  for (const std::string part :
+       {"G1 Y18\nMCALL CYCLE81(20,0,2,-5)\nPOSITIONS\nMCALL\nM30\n%_N_POSITIONS_SPF\nX5 Y5\nX10\nM17\n",
+        "G1 Y18\nG0 Z20\nMCALL CYCLE82(20,0,2,-5,,1)\nFOR HOLE=1 TO 3\nX=HOLE*4\nENDFOR\nMCALL\nG1 X3\nM30\n",
+        "G1 Y18\nMCALL CYCLE83(20,0,2,-5,,-3,,0,0,0,1,1)\nR1=5\nIF R1==5\nX5\nENDIF\nMCALL\nM30\n"}) {
+    const Result result = run(kDrillStart + part, job);
+    INFO(result.text);
+    CHECK_FALSE(std::regex_search(result.text, std::regex("^F[0-9.]+$", std::regex::multiline)));
+  }
+}

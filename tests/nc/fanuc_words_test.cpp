@@ -145,3 +145,36 @@ TEST_CASE("a fixture offset that is cancelled is none") {
   CHECK(code_behind("G54.2 P1\nG0 X1.\nM30\n") == "nc-not-interpreted");
   CHECK(code_behind("G54.2\nG0 X1.\nM30\n") == "nc-word-missing");
 }
+
+TEST_CASE("headers that begin with a motion code cancel what takes axis words elsewhere") {
+  for (const std::string header : {"G00 G17 G21 G40 G49 G50.1 G69 G80 G90", "G0 G17 G22 G40", "G0 G90 G17 G5.1 Q0",
+                                   "G1 G5.1 Q1", "G22 G50.1", "G5.1 Q0 G50.1", "G0 G5 P0", "G50.1 G4 P100"}) {
+    INFO(header);
+    CHECK(code_behind(header + "\nX1.\nM30\n") == (header.starts_with("G1 ") ? "nc-feed-missing" : ""));
+  }
+  for (const std::string line : {"G0 G50.1 X0", "G2 X5. I2.5 G50.1 F100.", "G1 G5.1 Q1 X5. F100."}) {
+    INFO(line);
+    CHECK_FALSE(code_behind(line + "\nM30\n").empty());
+  }
+}
+
+TEST_CASE("P of G86 is no word of the manual: the hole stays a cycle") {
+  const auto stays = [](const std::string& cycle) {
+    const ProgramFile text(kStart20 + cycle + "G80\nM30\n");
+    const InputFile file(text.path());
+    Program program(file, dialect("fanuc"), at_zero());
+    CycleForm form = CycleForm::none;
+    while (const Step* const step = program.next()) {
+      if (step->cycle != CycleForm::none) form = step->cycle;
+    }
+    return form;
+  };
+  CHECK(stays("G86 X1. Y1. Z-8. R1. F100. P500\n") == stays("G85 X1. Y1. Z-8. R1. F100. P500\n"));
+  CHECK(stays("G86 X1. Y1. Z-8. R1. F100. P500\n") != stays("G89 X1. Y1. Z-8. R1. F100. P500\n"));
+}
+
+TEST_CASE("K beside Q repeats a hole where it is one step after the other") {
+  CHECK(code_behind("G91 G83 X5. Y0 Z-5. R-2. Q1. F100. K2\nG80\nM30\n").empty());
+  CHECK(code_behind("G83 X5. Y0 Z-5. R2. Q1. F100. K1\nG80\nM30\n").empty());
+  CHECK(code_behind("G81 X5. Y0 Z-5. R2. F100. K3\nG80\nM30\n").empty());
+}

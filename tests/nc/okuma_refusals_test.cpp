@@ -79,21 +79,22 @@ TEST_CASE("OSP: NCYL beside the code of a cycle without X and Y states its words
 
 TEST_CASE("OSP: what is no word of the control, or of another machine, is told with a way out") {
   const std::string begin = "G15 H1 G0 X3 Y0 Z50 A0 B0 C0\n";
-  check_osp({{(begin + "G169 HL=1 X1 Y1 Z5 A0 B0 C0\nM2\n").c_str(), 2, 6, "nc-unknown-code", "leave HL out"},
-             {(begin + "G611 HL=1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G169 H"},
-             {(begin + "G612\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G170"},
-             {(begin + "M19 RS=90\nM2\n").c_str(), 2, 5, "nc-unknown-code", "leave RS out"},
-             {(begin + "L1=90\nM2\n").c_str(), 2, 1, "nc-unknown-code", "two letters"},
-             {(begin + "OMIT R2\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CAM system write each hole"},
-             {(begin + "G4 P2\nM2\n").c_str(), 2, 4, "nc-word-unused", "G4 F0.5"},
-             {(begin + "G4 X2\nM2\n").c_str(), 2, 4, "nc-not-interpreted", "as F, in seconds"},
-             {(begin + "G4 F2 X2\nM2\n").c_str(), 2, 7, "nc-not-interpreted", "blocks of their own"},
-             {(begin + "IF [1 EQ 1] CALL OA\nM2\nOA\nRTS\n").c_str(), 2, 1, "nc-flow-control", "nothing else"},
-             {(begin + "IF [1 EQ 1] X5\nM2\n").c_str(), 2, 1, "nc-flow-control", "N100"},
-             {(begin + "M98 P1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CALL O"},
-             {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG111 T1\nX5\nM2\n").c_str(), 5, 1, "nc-position-unknown"},
-             {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG116 T1\nX5\nM2\n").c_str(), 5, 1, "nc-position-unknown",
-              "G116"}});
+  check_osp(
+      {{(begin + "G169 HL=1 X1 Y1 Z5 A0 B0 C0\nM2\n").c_str(), 2, 6, "nc-unknown-code", "leave HL out"},
+       {(begin + "G611 HL=1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G169 H"},
+       {(begin + "G612\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "G170"},
+       {(begin + "M19 RS=90\nM2\n").c_str(), 2, 5, "nc-unknown-code", "leave RS out"},
+       {(begin + "L1=90\nM2\n").c_str(), 2, 1, "nc-unknown-code", "two letters"},
+       {(begin + "OMIT R2\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CAM system write each hole"},
+       {(begin + "G4 P2\nM2\n").c_str(), 2, 4, "nc-word-unused", "G4 F0.5"},
+       {(begin + "G4 X2\nM2\n").c_str(), 2, 4, "nc-not-interpreted", "as F, in seconds"},
+       {(begin + "G4 F2 X2\nM2\n").c_str(), 2, 7, "nc-not-interpreted", "blocks of their own"},
+       {(begin + "IF [1 EQ 1] CALL OA\nM2\nOA\nRTS\n").c_str(), 2, 1, "nc-flow-control", "nothing else"},
+       {(begin + "IF [1 EQ 1] X5\nM2\n").c_str(), 2, 1, "nc-flow-control", "N100"},
+       {(begin + "M98 P1\nM2\n").c_str(), 2, 1, "nc-not-interpreted", "CALL O"},
+       {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG111 T1\nX5\nM2\n").c_str(), 5, 1, "nc-not-interpreted", "G56 H"},
+       {(begin + "G71 Z50\nG81 X3 Y0 Z-5 R2 F99 M53\nG116 T1\nX5\nM2\n").c_str(), 5, 1, "nc-position-unknown",
+        "G116"}});
 }
 
 TEST_CASE("OSP: values that are written as elsewhere are told how they are written here") {

@@ -57,21 +57,47 @@ TEST_CASE("G62 and G621 slow down where the tool's radius is offset alone") {
   check_places("X5 Y7", {"G62\nX5 Y7\n", "G64 G621 G1 F100 X5 Y7\n", "G62 G0 X5 Y7\nFENDNORM\n"});
 }
 
-TEST_CASE("the hundred thousands of CYCLE800's status are in no source") {
+TEST_CASE("100000 and 200000 of CYCLE800's status choose a way of the axes, other status is refused") {
   const auto swivel_call = [](const std::string& status) {
     return "CYCLE800(1,\"TC1\"," + status + ",57,0,0,0,5,0,0,0,0,0,-1)\n";
   };
-  check_places("nc-tilted-plane",
-               {swivel_call("100000"), swivel_call("200000"), swivel_call("R1+200001"), swivel_call("1")});
+  check_places("X0 Y0", {swivel_call("100000"), swivel_call("200000"), swivel_call("R1+200000")});
+  check_places("nc-tilted-plane", {swivel_call("R1+200001"), swivel_call("300000"), swivel_call("1")});
   const auto said_of_status = [&](const std::string& status) {
     ProgramSettings settings = empty_tables();
     settings.work_offsets[0] = WorkOffset{};
     const auto refusal = refusal_of("G54 G90 G0 X0 Y0 Z50 A0 B0 C0\n" + swivel_call(status), settings, "siemens");
     return refusal ? refusal->message : std::string();
   };
-  CHECK(said_of_status("100000").find("hundred thousands") != std::string::npos);
-  CHECK(said_of_status("200000").find("on top") == std::string::npos);
   CHECK(said_of_status("1").find("on top") != std::string::npos);
+  CHECK(said_of_status("200010").find("on top") != std::string::npos);
+}
+
+TEST_CASE("X0 Y0 Z0 of CYCLE800 is the point that the plane turns about, in the work system") {
+  const auto zero_of = [](const std::string& swivel) {
+    ProgramSettings settings = empty_tables();
+    settings.work_offsets[0] = WorkOffset{};
+    settings.free_rotation = FreeRotation::c_stays;
+    const ProgramFile program("G54 G90 G0 X0 Y0 Z50 A0 B0 C0\n" + swivel + "\nG0 X0 Y0 Z0\nM30\n");
+    const InputFile file(program.path());
+    Program blocks(file, dialect("siemens"), settings);
+    AxisWords at;
+    while (const Step* const step = blocks.next()) {
+      if (!step->motions.empty()) at = step->frame->to_machine(step->position);
+    }
+    return at;
+  };
+  for (const auto& [swivel, x, y, z] :
+       {std::tuple{"CYCLE800(0,\"TC1\",0,57,10,0,0,0,30,0,0,0,0,1,,0)", 10.0, 0.0, 0.0},
+        std::tuple{"CYCLE800(0,\"TC1\",0,57,1,2,3,8,-10,0,0,0,0,1)", 1.0, 2.0, 3.0},
+        std::tuple{"G700\nCYCLE800(0,\"TC1\",100000,57,0,1,-2,5,0,0,0,0,0,-1)\nG710", 0.0, 25.4, -50.8},
+        std::tuple{"CYCLE800(0,\"TC1\",0,57,0,0,0,5,0,0,0,0,0,-1)", 0.0, 0.0, 0.0}}) {
+    INFO(swivel);
+    const AxisWords at = zero_of(swivel);
+    CHECK(at[Axis::X] == Approx(x).margin(1e-9));
+    CHECK(at[Axis::Y] == Approx(y).margin(1e-9));
+    CHECK(at[Axis::Z] == Approx(z).margin(1e-9));
+  }
 }
 
 TEST_CASE("after a stop that lost the place axes without end are in their first turn") {

@@ -193,7 +193,7 @@ TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, ot
     CHECK(blocks.next()->known.empty());
     CHECK(blocks.next()->known == AxisSet{Axis::X});
   }
-  check_refused({{"N1 CYCLE800(0,\"\",0,27,5,0,0,0,0,0,0,0,0,1)\n", 1, 23, "nc-tilted-plane"},
+  check_refused({{"N1 CYCLE800(0,\"\",0,27,0,0,0,0,0,0,5,0,0,1)\n", 1, 35, "nc-tilted-plane"},
                  {"R1=5\nCYCLE800(0,,0,27,0,0,0,0,9,0,0,R1*2)\n", 2, 32, "nc-tilted-plane"},
                  {"CYCLE800(0,\"\",0,58,0,0,0,0,9,0,0,0,0,1)\n", 1, 17, "nc-tilted-plane"},
                  {"CYCLE800(0,\"\",0,57,0,0,0,0,9,0,0,0,0,2)\n", 1, 38, "nc-tilted-plane"}});

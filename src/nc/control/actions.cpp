@@ -183,8 +183,7 @@ void act_on_position(Execution& run, const Chosen& chosen) {
       run.control.modal.length_stated = true;
       return set_tool_length(run, chosen);
     case Action::no_next_tool:
-      run.control.selected_tool = 0;
-      return;
+      return forget_next_tool(run, *chosen.word);
     case Action::tool_tip_on:
     case Action::tool_tip_off:
       run.control.modal.length_stated = true;
@@ -215,6 +214,7 @@ void act_on_position(Execution& run, const Chosen& chosen) {
     case Action::home_or_unit:
       return home_or_unit(run, chosen);
     case Action::lose_position:
+      check_no_modal_call(run, *chosen.word);
       run.step.role = BlockRole::machine_move;
       return nc::lose_position(run, AxisSet::all());
     default:
@@ -248,6 +248,7 @@ void act(Execution& run, const Chosen& chosen) {
         run.refuse(*chosen.word, codes::kNegative, "the spindle speed is negative",
                    "write S0 or more; M4 turns backwards");
       }
+      run.refuse_point(*chosen.word);
       if (run.dialect.behaviour.whole_words.find('S') != std::string::npos) {
         whole_number(*run.block, chosen.word->span, chosen.word->value, "the spindle speed");
       }

@@ -45,13 +45,13 @@ void check_values(const Execution& run) {
 }
 
 void check_moves_beside(const Execution& run) {
-  if (run.motion == nullptr) return;
   for (const Chosen& code : run.chosen) {
-    if (!code.row->alone) continue;
+    const bool moves = run.motion != nullptr || (!run.axes.empty() && !code.row->takes_axes);
+    if (!code.row->alone || !moves) continue;
     run.refuse(*code.word, codes::kNotInterpreted,
-               fmt::format("{} beside a move is not interpreted: the control takes it in a block of its own",
-                           run.block->at(code.word->span)),
-               "put the move into the block after it");
+               fmt::format("{} beside {} is not interpreted: the control takes it in a block of its own",
+                           run.block->at(code.word->span), run.motion != nullptr ? "a move" : "words of axes"),
+               "put the other words into the block after it");
   }
 }
 

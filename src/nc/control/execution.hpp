@@ -67,6 +67,8 @@ struct Execution {
     const Word& word = *words.find(axis);
     return is_rotary(axis) ? word.value : length(word);
   }
+  /// Refuses a point in a word of whole numbers, at which a Fanuc stops.
+  void refuse_point(const Word& word) const;
   /// A whole number that a word holds, from `least` to `most`.
   int whole(const Word& word, int least, int most) const;
   /// The code of the block's motion, or its first word where the mode in force goes on.
@@ -84,6 +86,8 @@ struct Execution {
 bool counts_increments(const Execution& run);
 /// Finds the rows of all codes, their order, the motion; refuses what does not go together: resolve_codes.cpp
 void resolve_codes(Execution& run);
+/// @ or ^ of a block that has one of them.
+const Word& polar_word(const Execution& run);
 /// The word of an axis that the block names, or the one that stands for two: @ or ^.
 const Word& first_axis_word(const Execution& run);
 /// Finds its words and the rows of its codes, as they stand in the block; refuses words that stand for nothing, and two
@@ -158,6 +162,7 @@ void set_tool_row(Execution& run);                                   // G10 L1
 void set_tool_row_here(Execution& run, bool in_probe_table_system);  // G10 L10 L11
 void select_tool(Execution& run, const Word& word);                  // T
 void change_tool(Execution& run, const Chosen& chosen);              // M6 M61
+void forget_next_tool(Execution& run, const Word& code);             // M63 of an OSP
 void dwell(Execution& run, const Word& code);                        // machine_codes.cpp: G4
 void call_program(Execution& run, const Chosen& chosen);             // M98 M99
 void machine_code(Execution& run, const Chosen& chosen);             // M0 M1 M60, outputs, inputs, spindle, user codes
@@ -202,11 +207,12 @@ void set_tolerances(Execution& run, const Chosen& chosen);         // CYCLE832
 void choose_edge(Execution& run, const Word& word);                // tools.cpp: D
 void call_macro(Execution& run);                                   // macro_call.cpp: G65
 
-void set_modal_call(Execution& run);                  // cycle_calls.cpp: MCALL
-void call_cycle(Execution& run, const CodeRow& row);  // CYCLE81(10,0,2,-15)
-void drill_after_move(Execution& run);                // where MCALL is in force
-void swivel(Execution& run, const Chosen& chosen);    // swivel.cpp: CYCLE800
-void move_in_cycle(Execution& run);                   // cycles.cpp: G73 G74 G81..G89
+void set_modal_call(Execution& run);                               // cycle_calls.cpp: MCALL
+void call_cycle(Execution& run, const CodeRow& row);               // CYCLE81(10,0,2,-15)
+void drill_after_move(Execution& run);                             // where MCALL is in force
+void check_no_modal_call(const Execution& run, const Word& word);  // there, of a move that may call it or not
+void swivel(Execution& run, const Chosen& chosen);                 // swivel.cpp: CYCLE800
+void move_in_cycle(Execution& run);                                // cycles.cpp: G73 G74 G81..G89
 
 // What the moves share: moves.cpp
 /// Of two points of a plane.
@@ -221,6 +227,11 @@ AxisSet absolute_words(const Execution& run);
 bool is_wrapped(const Execution& run, Axis axis);
 /// Refuses words of an offset that are a turn or more on such an axis.
 void check_wrapped_words(const Execution& run);
+void check_wrapped_place(const Execution& run, const Word& word, Axis axis);
+/// Refuses a word that is a turn or more, of an axis whose words have a sign for the way round.
+void check_within_turn(const Execution& run, const Word& word);
+/// Refuses a word of a wrapped axis that stands there but for what rounding leaves.
+void check_stands_there(const Execution& run, const Word& word, Axis axis, double from);
 /// Which axes are known there.
 AxisSet known_after_move(const Execution& run);
 /// Refuses where one of these axes stands, which an offset will depend on, is not known.

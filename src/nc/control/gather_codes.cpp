@@ -151,6 +151,10 @@ void check_groups(Execution& run) {
 
 // @ and ^ stand for X and Y.
 void take_polar(Execution& run) {
+  if (run.control.modal.plane != Plane::xy) {  // the one before the block [LinuxCNC, measured]
+    run.refuse(polar_word(run), codes::kOutOfRange, "polar words need the XY plane before their block",
+               "write G17 into a block of its own before, or X, Y and Z");
+  }
   const AxisSet plane{Axis::X, Axis::Y};
   for (const Axis axis : {Axis::X, Axis::Y}) {
     if (!run.axes.contains(axis)) continue;
@@ -265,6 +269,7 @@ void gather_codes(Execution& run) {
         choose(run, &run.dialect.tool_row, word);
         break;
       case 'D':
+        run.refuse_point(word);
         if (run.dialect.has_edges) choose(run, &run.dialect.edge_row, word);
         break;
       default:

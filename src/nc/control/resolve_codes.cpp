@@ -27,13 +27,6 @@ bool is_tool_length(Action action) {
   return action == Action::tool_length_by_words || action == Action::tool_length_added;
 }
 
-const Word& polar_word(const Execution& run) {
-  const Word* const radius = run.words.find('@');
-  const Word* const word = radius != nullptr ? radius : run.words.find('^');
-  PLUMBLINE_CHECK(word != nullptr);
-  return *word;
-}
-
 // Spindle 0 is the only one that is followed here; -1 is all of them.
 void check_spindle(const Execution& run, const Word& word) {
   const bool moves = run.motion != nullptr && run.motion->takes_axes;
@@ -124,6 +117,11 @@ void find_motion(Execution& run) {
       run.motion = nullptr;
     return;
   }
+  if (takers.turns_off && takers.tool_length && !run.axes.empty() &&
+      run.dialect.syntax.statements == Statements::o_words) {
+    run.refuse(first_axis_word(run), codes::kAxesTwice, "G80 stands beside words of axes, which the control refuses",
+               "put G80 into a block of its own before");
+  }
   if (takers.other != nullptr || takers.tool_length) return;
   const CodeRow* mode = takers.turns_off ? row_after_cycle(run) : run.control.motion_row;
   const bool centre = is_arc(mode) && (run.words.letters() & kCentreBits & ~words_of_alone(run)) != 0;
@@ -168,6 +166,7 @@ bool is_exponent(const Execution& run, const Word& word) {
 
 // D0 H0 of a header: no offset is in force that they could change.
 std::uint32_t numbers_without_offset(const Execution& run) {
+  if (run.chosen_row(Action::call_program) != nullptr) return letter_bit('D');
   const bool ends = run.chosen_row(Action::tool_length_off) != nullptr;
   return letter_bit('D') | (ends || run.control.frame.tool == AxisWords{} ? letter_bit('H') : 0);
 }
@@ -205,6 +204,26 @@ void refuse_word_of_plane(const Execution& run, const Word& word) {
   }
 }
 
+// M98 P2 H5: on controls that read as a Fanuc; there Q is of this kind.
+void refuse_word_of_call(const Execution& run, const Word& word) {
+  if ((word.letter != 'Q' && word.letter != 'H') || run.chosen_row(Action::call_program) == nullptr) return;
+  run.refuse(word, codes::kWordUnused,
+             fmt::format("{} of a call says at which block the subprogram begins, which is not read", word.letter),
+             "make what begins there a subprogram of its own, and call that");
+}
+
+// G83 I3. J0.5 K1. [H, G83]: pecks that become smaller.
+void refuse_peck_of_haas(const Execution& run, const Word& word) {
+  const bool drills = run.motion != nullptr && run.motion->action == Action::cycle;
+  if (!drills || run.dialect.syntax.statements != Statements::macro_b || (letter_bit(word.letter) & kCentreBits) == 0)
+    return;
+  run.refuse(
+      word, codes::kWordUnused,
+      fmt::format("{} is no word of this cycle but on a Haas, which goes down in smaller and smaller pecks by it",
+                  word.letter),
+      "write Q, the depth of each peck, in their place");
+}
+
 // TURN of TURN=2, X of X5.
 std::string_view name_of(const Execution& run, const Word& word) {
   const std::string_view text = run.text_of(word);
@@ -236,12 +255,10 @@ void check_words_used(const Execution& run) {
       run.refuse(word, codes::kWordUnused, "numbers have no exponent: the control reads E as a word of its own",
                  "write the number out, X0.0000001 or X0, and have the post-processor write fixed decimals");
     }
+    refuse_word_of_call(run, word);
     refuse_kept_word(run, word);
     refuse_word_of_plane(run, word);
-    if (word.letter == 'Q' && run.chosen_row(Action::call_program) != nullptr) {
-      run.refuse(word, codes::kWordUnused, "Q of a call says at which block the subprogram begins, which is not read",
-                 "make what begins there a subprogram of its own, and call that");
-    }
+    refuse_peck_of_haas(run, word);
     // FP has the letter, too.
     const bool is_h = word.letter == 'H' && upper(run.text_of(word)[0]) == 'H';
     if (is_h && run.dialect.syntax.declared)
@@ -256,6 +273,13 @@ void check_words_used(const Execution& run) {
 int turn_of(const Chosen& chosen) { return chosen.row->step * 2 + (chosen.row->group == 1 ? 1 : 0); }
 
 }  // namespace
+
+const Word& polar_word(const Execution& run) {
+  const Word* const radius = run.words.find('@');
+  const Word* const word = radius != nullptr ? radius : run.words.find('^');
+  PLUMBLINE_CHECK(word != nullptr);
+  return *word;
+}
 
 const Word& first_axis_word(const Execution& run) {
   for (const Axis axis : kAllAxes) {

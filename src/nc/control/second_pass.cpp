@@ -107,7 +107,7 @@ std::string SecondPass::differs(const Control& control, const ProgramSettings& s
   if (control.frame.g92 != AxisWords{}) return "a shift by G92";
   if (control.frame.tool != AxisWords{} && !stated_length()) return "a tool's length";
   if (modal.path_control != path_ && !stated({Action::exact_path, Action::exact_stop, Action::continuous}))
-    return "another path control, G61 or G64,";
+    return "another path control, G61 or G64";
   if (std::string place = other_place(control); !place.empty()) return place;
   if (const HandedVariable* variable = control.of_main.first_carried())
     return fmt::format("another {}, set in line {}", variable->name, variable->line);

@@ -51,8 +51,11 @@ const Chosen* other_taker(const Execution& run, const Chosen& taker) {
 // G28 Z0 G92 X0, G52 X5 G53 Z0, G10 L2 X5 beside an arc: one of them would go without its words.
 void check_axis_words_of_one(const Execution& run) {
   if (!run.dialect.behaviour.fanuc_cycles) return;
+  constexpr std::uint32_t kEnds = letter_bit('I') | letter_bit('J') | letter_bit('K') | letter_bit('R');
+  const bool no_ends = run.axes.empty() && (run.words.letters() & kEnds) == 0;
   for (const Chosen& code : run.chosen) {
     if (!takes_axes_itself(code)) continue;
+    if (no_ends && code.row->action == Action::no_motion) continue;  // G0 G50.1 of a header
     const Chosen* const other = other_taker(run, code);
     if (other == nullptr) continue;
     run.refuse(*other->word, codes::kAxesTwice,
@@ -73,14 +76,31 @@ void check_length_beside_machine_move(const Execution& run) {
              "put them into blocks of their own");
 }
 
+// G53 G169 H1: the order in which the two act was found in no source.
+void check_end_beside_tip(const Execution& run) {
+  const Chosen* tip = nullptr;
+  const Chosen* off = nullptr;
+  for (const Chosen& code : run.chosen) {
+    if (code.row->action == Action::tool_tip_on) tip = &code;
+    if (code.row->action == Action::tool_length_off) off = &code;
+  }
+  if (tip == nullptr || off == nullptr) return;
+  run.refuse(*tip->word, codes::kNotInterpreted,
+             fmt::format("whether {} or {} of one block says which length counts was found in no source",
+                         run.text_of(*off->word), run.text_of(*tip->word)),
+             "put them into blocks of their own");
+}
+
 // P of G4 and of M98, of G54.1 and of a cycle.
 void check_words_of_one(const Execution& run) {
   if (!run.dialect.behaviour.fanuc_cycles) return;
   for (const Word& word : run.block->words) {
-    if (is_code(word) || axis_of(word.letter) || word.letter == 'F' || word.letter == 'S') continue;
+    if (is_code(word) || axis_of(word.letter)) continue;
     const std::uint32_t bit = letter_bit(word.letter);
     const Chosen* first = nullptr;
-    const bool of_mode = run.motion != nullptr && run.motion_word == nullptr && (run.motion->word_mask & bit) != 0;
+    const bool of_any_move = word.letter == 'F' || word.letter == 'S';
+    const bool of_mode =
+        run.motion != nullptr && run.motion_word == nullptr && !of_any_move && (run.motion->word_mask & bit) != 0;
     for (const Chosen& code : run.chosen) {
       const bool of_builder = code.row == &run.dialect.user_row;  // which could have any word
       if (!is_code(*code.word) || of_builder || (code.row->word_mask & bit) == 0) continue;
@@ -207,6 +227,22 @@ void check_travel_ends(const Execution& run) {
              fmt::format("write G16 H0 G0 {}, or G0 {}9999", run.text_of(*end), end->letter));
 }
 
+// NOEX G15 H2, CLEAR F500: whether the rest of such a block is executed was found in no source.
+void check_beside_names(const Execution& run) {
+  if (run.dialect.syntax.statements != Statements::user_task) return;
+  const auto is_name = [](const Chosen& code) { return code.word->letter == kNamedCode && code.row->alone; };
+  const auto name = std::find_if(run.chosen.begin(), run.chosen.end(), is_name);
+  if (name == run.chosen.end()) return;
+  for (const Word& word : run.block->words) {
+    const CodeRow* const row = run.dialect.row_of(word);
+    if (row != nullptr && word.letter == kNamedCode && row->alone) continue;
+    run.refuse(
+        word, codes::kNotInterpreted,
+        fmt::format("what {} does beside {} was found in no source", run.text_of(word), run.text_of(*name->word)),
+        "put the other words into a block of their own");
+  }
+}
+
 }  // namespace
 
 void check_shared_words(const Execution& run) {
@@ -217,8 +253,10 @@ void check_shared_words(const Execution& run) {
   check_values_before_codes(run);
   check_one_way_on(run);
   check_tip_mode(run);
+  check_end_beside_tip(run);
   check_no_hole(run);
   check_travel_ends(run);
+  check_beside_names(run);
 }
 
 }  // namespace plumbline::nc

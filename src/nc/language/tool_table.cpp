@@ -119,9 +119,10 @@ class ToolReader {
 
   double number(const TomlEntry& entry) {
     if (entry.value.kind == TomlValue::Kind::number && std::isfinite(entry.value.number)) return entry.value.number;
-    const bool is_text = entry.value.kind != TomlValue::Kind::number;
     refuse("tools-value", fmt::format("'{}' is no number", entry.key),
-           is_text ? "write a number without quotes" : "write the number itself: nan and inf are none",
+           entry.value.kind == TomlValue::Kind::text     ? "write a number without quotes"
+           : entry.value.kind == TomlValue::Kind::number ? "write the number itself: nan and inf are none"
+                                                         : "write one number, without brackets",
            document_.place(entry.value.span));
   }
 

@@ -37,6 +37,12 @@ bool says_already(const Block& block, const Word& word, const ArcWords& arc) {
   return false;
 }
 
+// C-0 turns another way than C0.
+bool says_already(const Word& word, const Piece& piece, Axis axis) {
+  const bool other_way = piece.endless.contains(axis) && std::signbit(word.value) != std::signbit(piece.value[axis]);
+  return word.mode == WordMode::modal && !other_way && std::abs(word.value - piece.value[axis]) < 1e-12;
+}
+
 bool is_arc_letter(char letter) {
   return letter == 'I' || letter == 'J' || letter == 'K' || letter == 'R' || (letter >= '1' && letter <= '3');
 }
@@ -133,7 +139,7 @@ std::optional<std::string_view> PieceWriter::in_place(const Step& step, const Pi
     if (axis) {
       seen.insert(*axis);
       if (piece.endless.contains(*axis) && !piece.moved.contains(*axis)) return std::nullopt;
-      if (word.mode == WordMode::modal && std::abs(word.value - piece.value[*axis]) < 1e-12) continue;
+      if (says_already(word, piece, *axis)) continue;
       keep_up_to(word.span.begin);
       out = write_word(out, letter(*axis), piece.value[*axis], piece.digits[index(*axis)], spelling);
     } else {
@@ -206,8 +212,7 @@ const std::string& PieceWriter::change_axis_words(const Step& step, const Piece&
       continue;
     }
     const bool says_direct = piece.direct && piece.endless.contains(axis);
-    const bool same = word->mode == WordMode::modal && std::abs(word->value - piece.value[axis]) < 1e-12;
-    if (same && !says_direct) continue;
+    if (says_already(*word, piece, axis) && !says_direct) continue;
     append_axis_word(editor_.replace(word->span), piece, axis, alone);
   }
   return added_;

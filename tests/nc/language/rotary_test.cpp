@@ -55,6 +55,42 @@ TEST_CASE("the sign of a word says which way round") {
   CHECK(code_of("G91 G0 C360\n", with_rule(RotaryRule::sign)).empty());
 }
 
+TEST_CASE("a word of where a wrapped axis stands but for rounding is refused, as it may be a full turn") {
+  const ProgramSettings settings = with_rule(RotaryRule::sign);
+  const std::string head = "G21 G90 G17 G94 G54 F100\nG0 X0 Y0 Z20 A0 B0\n";
+  for (const std::string moves :  // rs274 with WRAPPED_ROTARY turns all the way round in these
+       {"G0 C-359.3\nG1 X5 C5.3\nG1 X10 C5.3\n", "G0 A-359.9\nA0.1\nA0.1\n", "G0 B359.999\nB4\nB-147.28\nB-147.28\n",
+        "G0 C10.2\nG92 C-0.3\nG1 C359.7\n", "G10 L2 P1 C0.7\nG0 C10.3\nG10 L2 P1 C0\nG1 C11\n",
+        "G0 C0\nG91 C0.1\nC0.1\nC0.1\nG90 C0.3\n"}) {
+    INFO(moves);
+    CHECK(code_of(head + moves + "M2\n", settings) == "nc-not-interpreted");
+  }
+  for (const std::string moves : {"G0 C5.3\nG1 X5 C5.3\n", "G0 C0\nC-352\nX5 C-352\n", "G0 C-359.3\nG1 X5 C5.3\nX10\n",
+                                  "G0 C10\nC370\n", "G0 C0\nG91 C0.1\nC0.1\nG90 C0.4\n"}) {
+    INFO(moves);
+    CHECK(code_of(head + moves + "M2\n", settings) ==
+          (moves.find("370") == std::string::npos ? "" : "nc-out-of-range"));
+  }
+}
+
+TEST_CASE("what of a wrapped axis counts otherwise beside G53, a tool's offset and a change of tools") {
+  const ProgramSettings settings = with_rule(RotaryRule::sign);
+  const std::string head = "G21 G90 G54\nG0 X0 Y0 Z20 A0 B0 C0\n";
+  for (const std::string word : {"C370", "C-370", "A360", "B-360"}) {
+    INFO(word);
+    CHECK(code_of(head + "G53 G0 " + word + "\nM2\n", settings) == "nc-out-of-range");
+  }
+  for (const std::string tool : {"G43.1 C40", "G43.1 A-3 Z5", "G10 L1 P1 C20\nG43 H1"}) {
+    INFO(tool);
+    CHECK(code_of(head + tool + "\nM2\n", settings) == "nc-not-interpreted");
+    CHECK(code_of(head + tool + "\nM2\n", with_rule(RotaryRule::linear)).empty());
+  }
+  CHECK(code_of(head + "G43.1 Z40\nG53 G0 C359\nM2\n", settings).empty());
+  // rs274 with WRAPPED_ROTARY: the place stays over M6, and with it the way round
+  CHECK(ends_of_c("G90 G0 C0\nT1 M6\nG0 C-5\nM2\n", settings).back() == -355);
+  CHECK(ends_of_c("G0 C-20\nG91 C-700\nG90 T1 M6\nC5\nM2\n", settings).back() == -715);
+}
+
 TEST_CASE("the sign of 0 says no way round where a control is not known to keep it") {
   const ProgramSettings sign = with_rule(RotaryRule::sign);
   const ProgramSettings shortest = with_rule(RotaryRule::shortest);

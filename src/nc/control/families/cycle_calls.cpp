@@ -136,6 +136,12 @@ void CalledHole::take_levels() {
   hole_.r = reference + std::abs(given_.length_mm(kSafety));
   hole_.clear = given_.length_mm(kRetractPlane);
   hole_.bottom = depth_mm();
+  if (hole_.clear == reference && given_.value(kRelativeDepth) && given_.number(kRelativeDepth) != 0) {
+    run_.refuse(codes::kOutOfRange,
+                fmt::format("{} has one plane for both, and a relative depth: the control stops there (alarm 61101)",
+                            call_.row->name),
+                "give the depth itself, or a retraction plane above the reference plane");
+  }
   if (hole_.bottom >= reference || hole_.clear < reference) {
     run_.refuse(codes::kOutOfRange,
                 fmt::format("{} begins below its bottom, or goes back into the part", call_.row->name),
@@ -338,6 +344,14 @@ CycleCall call_of(const Execution& run, const CodeRow& row) {
 
 }  // namespace
 
+void check_no_modal_call(const Execution& run, const Word& word) {
+  if (run.control.modal_call.row == nullptr || run.axes.empty()) return;
+  run.refuse(word, codes::kNotInterpreted,
+             fmt::format("{} is in force after each move: whether it is called after {} was found in no source",
+                         run.control.modal_call.row->name, run.text_of(word)),
+             "end it before with MCALL alone in a block");
+}
+
 void set_modal_call(Execution& run) {
   Control& control = run.control;
   control.modal_call = CycleCall{};
@@ -355,6 +369,21 @@ void call_cycle(Execution& run, const CodeRow& row) {
   CalledHole(run, run.control.call, run.motions.size()).make();
 }
 
+namespace {
+
+// X5 M1, X5 G9 under MCALL: between the move and the hole, or behind both.
+void check_beside_position(const Execution& run) {
+  for (const Chosen& code : run.chosen) {
+    if (code.row->order != Order::after_motion) continue;
+    run.refuse(*code.word, codes::kNotInterpreted,
+               fmt::format("whether {} acts before {} drills at this position or after it was found in no source",
+                           run.text_of(*code.word), run.control.modal_call.row->name),
+               "put it into a block of its own");
+  }
+}
+
+}  // namespace
+
 void drill_after_move(Execution& run) {
   if (run.control.modal_call.row == nullptr || run.axes.empty()) return;
   const bool straight = run.motion->action == Action::rapid || run.motion->action == Action::feed;
@@ -364,6 +393,7 @@ void drill_after_move(Execution& run) {
                            run.control.modal_call.row->name),
                "end it before with MCALL alone in a block");
   }
+  check_beside_position(run);
   CalledHole(run, run.control.modal_call, 0).make();
 }
 

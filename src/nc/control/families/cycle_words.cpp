@@ -86,7 +86,7 @@ void CycleWords::take_words() {
   for (std::size_t i = 0; i < 3; ++i) {
     cycle_.ijk[i] = inherited(kCentreLetters[i], cycle_.ijk[i], length(kCentreLetters[i]), code_ == kBackBore);
   }
-  const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore);
+  const bool waits = of_osp || !(pecks || code_ == kDrill || code_ == kBore || (as_fanuc_ && code_ == kBoreStop));
   if (const Word* const word = run_.words.find('P')) {
     // Posts for an OSP write seconds with a point or milliseconds, as the machine is set: it stays as it is written.
     if (!of_osp) check_milliseconds(run_, *word, waits);

@@ -31,6 +31,7 @@ class CycleRun {
 
  private:
   void check_level() const;
+  void check_depth_of_haas(const Word& times) const;
   void lift();
   void check_distance_mode();
   void check_shift();
@@ -59,6 +60,16 @@ void CycleRun::check_level() const {
   }
   const bool pecks = code_ == kChipBreaking || code_ == kPeck;
   if (pecks) check_motions(run_, (hole_.r - hole_.bottom) / cycle_.peck);
+}
+
+// G73 Q2. K6: six times the same hole of a Fanuc; on a Haas the tool goes up to R after each 6 mm [H, G73].
+void CycleRun::check_depth_of_haas(const Word& times) const {
+  const bool pecks = code_ == kChipBreaking || code_ == kPeck;
+  if (!pecks || times.value <= 1 || control_.modal.incremental || run_.dialect.behaviour.return_levels) return;
+  run_.refuse(
+      times, codes::kNotInterpreted,
+      fmt::format("{} drills the same hole so many times on a Fanuc, and is a depth on a Haas", run_.text_of(times)),
+      "leave it out: Q says how deep each peck goes; to repeat holes write G91 and the steps between them");
 }
 
 void CycleRun::take_place() {
@@ -129,6 +140,7 @@ void CycleRun::make() {
           "leave one of them out");
     }
     if (count == nullptr) count = times;
+    check_depth_of_haas(*times);
   }
   const int holes = count == nullptr ? 1 : run_.whole(*count, as_fanuc_ ? 0 : 1, kNoLimit);
   const AxisSet plane{axes_.first, axes_.second};

@@ -63,7 +63,8 @@ void go_home(Execution& run, int which) {
   Control& control = run.control;
   check_tool_unit(run, run.first_word());
   check_no_rotary_words(run);
-  if (const Word* word = run.words.find('P')) {
+  const bool by_number = run.dialect.syntax.statements != Statements::o_words;  // there P is of a G64 beside it
+  if (const Word* word = by_number ? run.words.find('P') : nullptr) {
     const bool of_fanuc = run.dialect.syntax.statements == Statements::macro_b;
     run.whole(*word, of_fanuc ? 2 : 1, of_fanuc ? 4 : kNoLimit);
   }

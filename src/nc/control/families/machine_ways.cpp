@@ -96,6 +96,14 @@ void set_tool_tip(Execution& run, const Chosen& chosen) {
   if (run.axes.empty()) return;
   if (control.modal.incremental) refuse_increment(run, run.axes);
   need_offsets(run);
+  const bool in_rapid = control.motion_row != nullptr && control.motion_row->action == Action::rapid;
+  if (!in_rapid && run.chosen_row(Action::rapid) == nullptr) {
+    run.refuse(*chosen.word, codes::kNotInterpreted,
+               fmt::format("{} with words of the axes is known behind G0 alone: whether it moves at a feed, or drills, "
+                           "where another motion is in force was found in no source",
+                           run.text_of(*chosen.word)),
+               "write G0 into the block before it");
+  }
   AxisSet limits;
   for (const Axis axis : kAllAxes) {
     const double limit = run.dialect.behaviour.travel_limit_mm;

@@ -31,7 +31,15 @@ Word Execution::first_word() const {
   return whole;
 }
 
+void Execution::refuse_point(const Word& word) const {
+  if (!word.point || word.expression != kLiteral || dialect.syntax.statements != Statements::macro_b) return;
+  refuse(word, codes::kNotWhole,
+         fmt::format("{} has a point, and the control takes none in this word (alarm 007)", text_of(word)),
+         "write a whole number without a point");
+}
+
 int Execution::whole(const Word& word, int least, int most) const {
+  refuse_point(word);
   const int number = whole_number(*block, word.span, word.value, fmt::format("the {} word", word.letter));
   if (number >= least && number <= most) return number;
   refuse(word, codes::kOutOfRange, fmt::format("{}{} is out of range", word.letter, number),
@@ -67,39 +75,6 @@ namespace {
 
 constexpr double kMostMotionsOfBlock = 100'000;  // all of a block are kept at once
 
-void check_within_turn(const Execution& run, const Word& word) {
-  if (std::abs(word.value) < kFullTurn) return;
-  run.refuse(word, codes::kOutOfRange, fmt::format("{} is a turn or more", run.block->at(word.span)),
-             "on an axis whose words have a sign for the way round (--rotary), write 0 to 359.999, or use G91");
-}
-
-}  // namespace
-
-bool is_wrapped(const Execution& run, Axis axis) {
-  return is_rotary(axis) && run.control.modal.rule_of(axis) == RotaryRule::sign &&
-         run.dialect.syntax.system_variables == SystemVariables::rs274;
-}
-
-void check_wrapped_words(const Execution& run) {
-  for (const Axis axis : kAllAxes) {
-    if (run.axes.contains(axis) && is_wrapped(run, axis)) check_within_turn(run, *run.words.find(axis));
-  }
-}
-
-void check_sign_of_zero(const Execution& run, const Word& word, Axis axis) {
-  if (run.control.modal.rule_of(axis) != RotaryRule::sign || run.dialect.behaviour.zero_has_sign) return;
-  const std::string_view text = run.block->at(word.span);
-  const std::size_t value = text.find_first_not_of(" \t=", 1);
-  if (run.value(axis) != 0 || value == std::string_view::npos || text[value] != '-') return;
-  run.refuse(word, codes::kNotInterpreted,
-             fmt::format("the sign of {} says which way round the axis turns, and whether the control keeps that of 0 "
-                         "was found in no source",
-                         text),
-             fmt::format("write {}0 where it turns upwards, or turn it by increments (G91)", word.letter));
-}
-
-namespace {
-
 // The end that a word means for an axis that stands at `from`.
 double end_of_word(const Execution& run, const Word& word, Axis axis, double begin) {
   const double value = run.value(axis);
@@ -108,7 +83,9 @@ double end_of_word(const Execution& run, const Word& word, Axis axis, double beg
     check_increment(run, word, axis);
     return begin + value;
   }
-  const std::optional<double> from = run.control.surely_known().contains(axis) ? std::optional(begin) : std::nullopt;
+  // where tables count as empty a wrapped axis stays where it is at a stop and a change of tools, as X, Y and Z do
+  const AxisSet known = is_wrapped(run, axis) ? run.control.known : run.control.surely_known();
+  const std::optional<double> from = known.contains(axis) ? std::optional(begin) : std::nullopt;
   switch (word.mode) {
     case WordMode::shortest:
       return rotary_end(RotaryRule::shortest, value, false, from);
@@ -122,6 +99,7 @@ double end_of_word(const Execution& run, const Word& word, Axis axis, double beg
   if (rule == RotaryRule::linear) return value;
   if (rule == RotaryRule::sign) check_within_turn(run, word);
   check_sign_of_zero(run, word, axis);
+  if (from && is_wrapped(run, axis)) check_stands_there(run, word, axis, *from);
   return rotary_end(rule, value, std::signbit(value), from);
 }
 

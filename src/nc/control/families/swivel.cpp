@@ -56,27 +56,29 @@ class Swivel {
     if (run_.control.modal.plane != Plane::xy) {
       refuse_word("in G18 or G19: along which axis the tool is turned", "write G17 before it");
     }
-    for (const std::size_t first : {kFirstShift, kSecondShift}) {
-      for (std::size_t i = first; i < first + 3; ++i) {
-        if (value(i) != 0)
-          refuse(i, "shifts the plane, and from where that counts was found in no source",
-                 "shift the work offset instead, and leave the shifts 0");
-      }
+    for (std::size_t i = kSecondShift; i < kSecondShift + 3; ++i) {
+      if (value(i) != 0)
+        refuse(i, "shifts the plane after it is turned, and how that counts was found in no source",
+               "give the zero of the plane as the point that it turns about (X0, Y0, Z0), and leave X1, Y1, Z1 0");
     }
+    // which of the two ways the axes of a head or a table turn there [Q]: of a plane there is one
     constexpr double kHundredThousand = 1e5;
-    if (std::abs(value(kStatus)) >= kHundredThousand) {
-      refuse(kStatus,
-             fmt::format("has the status {:.0f}: what its digit of the hundred thousands means was found in no source",
-                         value(kStatus)),
-             "have the post-processor write 0 there: a new plane");
-    }
-    if (value(kStatus) != 0) {
+    const bool chooses_way = value(kStatus) == kHundredThousand || value(kStatus) == 2 * kHundredThousand;
+    if (value(kStatus) != 0 && !chooses_way) {
       refuse(kStatus,
              fmt::format("has the status {}: a plane on top of another one, or a tool that follows, is not "
                          "interpreted",
                          value(kStatus)),
              "write a new plane, status 0");
     }
+  }
+
+  /// The point that the plane turns about, its zero: in the work system, mm [R p. 481].
+  AxisWords origin() const {
+    AxisWords origin;
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+      origin[axis] = value(kFirstShift + index(axis)) * run_.control.length_unit();
+    return origin;
   }
 
   Turn plane() const {
@@ -142,7 +144,7 @@ void swivel(Execution& run, const Chosen& chosen) {
   const Turn plane = call.plane();
   const bool turns = call.turns();
   end_tilted_plane(run);
-  begin_tilted_plane(run, *chosen.word, {}, plane);
+  begin_tilted_plane(run, *chosen.word, call.origin(), plane);
   if (turns) return turn_tool_on_plane(run, *chosen.word);
   run.step.role = BlockRole::machine_move;  // it may retract all the same
   lose_position(run, AxisSet::linear());

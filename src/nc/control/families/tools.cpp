@@ -13,6 +13,7 @@ namespace {
 
 // T="MILL10"; where tables count as empty, a tool that no table holds.
 constexpr int kOfNoTable = -2;
+constexpr int kMacroOfUser = 1;  // value of the row of a code that changes tools: G111 of an OSP
 
 int tool_by_name(const Execution& run, const Word& word) {
   const std::string_view text = run.block->at(word.span);
@@ -25,6 +26,7 @@ int tool_by_name(const Execution& run, const Word& word) {
 }
 
 int tool_number(const Execution& run, const Word& word, std::string_view what) {
+  run.refuse_point(word);
   const int number = whole_number(*run.block, word.span, word.value, what);
   if (number < 0) run.refuse(word, codes::kNegative, fmt::format("{} is negative", what), "write 0 or more");
   return number;
@@ -72,7 +74,20 @@ void lose_tilted_tip(Execution& run) {
   if (tilts_tool(run, control.known, control.position) && !(control.known & tip).empty()) lose_position(run, tip);
 }
 
+// Only of axes whose words count within a turn G53, G28 and G30 take it away [interp_find.cc, find_ends].
+void check_wrapped_offset(const Execution& run, const AxisWords& offset) {
+  for (const Axis axis : kAllAxes) {
+    if (offset[axis] == 0 || !is_wrapped(run, axis)) continue;
+    run.refuse(run.first_word(), codes::kNotInterpreted,
+               fmt::format("a tool's offset of {}, whose words have a sign for the way round (--rotary), is not "
+                           "interpreted",
+                           letter(axis)),
+               "put it into the work offset, or leave it out of the tool");
+  }
+}
+
 void take_offset(Execution& run, const AxisWords& offset) {
+  check_wrapped_offset(run, offset);
   if (offset != run.control.frame.tool) lose_tilted_tip(run);
   Frame next = run.control.frame;
   next.tool = offset;
@@ -83,7 +98,8 @@ void take_offset(Execution& run, const AxisWords& offset) {
 // G43, G49, D: from the block's own turn on it is known again which length counts.
 bool states_length(const Execution& run) {
   if (run.dialect.has_edges) return run.words.has('D');
-  return run.chosen_row(Action::tool_length) != nullptr || run.chosen_row(Action::tool_length_off) != nullptr;
+  const bool by_tip = run.chosen_row(Action::tool_tip_on) != nullptr && run.words.has('H');
+  return by_tip || run.chosen_row(Action::tool_length) != nullptr || run.chosen_row(Action::tool_length_off) != nullptr;
 }
 
 // The length of a tool's edge, without H.
@@ -124,6 +140,12 @@ void refuse_length_doubt(const Execution& run, const Word& word) {
                "settings of the control",
                "write D1 (or D0) after the change of the tool");
   }
+  if (run.control.length_doubt == Control::LengthDoubt::macro) {
+    run.refuse(
+        word, codes::kNotInterpreted,
+        "a macro of the user changed the tool before it, and whether that chose its length, too, no program says",
+        "write G56 H (or G53) after it, before the first move of Z");
+  }
   run.refuse(word, codes::kNotInterpreted,
              "the move of Z to a place of the machine before it ended the tool length, and whether that comes back by "
              "itself depends on a parameter of the control (5001 EVO)",
@@ -139,6 +161,7 @@ void check_length_known(const Execution& run) {
                         !run.control.centre_point;
   for (const Axis axis : kAllAxes) {
     if (axis == Axis::X || axis == Axis::Y || !run.axes.contains(axis)) continue;
+    if (axes_to_limits(run).contains(axis)) continue;
     if (may_turn && is_rotary(axis)) continue;
     refuse_length_doubt(run, *run.words.find(axis));
   }
@@ -246,6 +269,16 @@ void select_tool(Execution& run, const Word& word) {
       word.use == WordUse::tool_name ? tool_by_name(run, word) : tool_number(run, word, "the number of a tool");
 }
 
+void forget_next_tool(Execution& run, const Word& code) {
+  if (const Word* const tool = run.words.find('T')) {
+    run.refuse(*tool, codes::kNotInterpreted,
+               fmt::format("whether {} or {} of one block says which tool comes next was found in no source",
+                           run.text_of(*tool), run.text_of(code)),
+               "put them into blocks of their own");
+  }
+  run.control.selected_tool = 0;
+}
+
 void change_tool(Execution& run, const Chosen& chosen) {
   Control& control = run.control;
   const bool after_motion = chosen.row->order == Order::after_motion && run.motion != nullptr;
@@ -271,6 +304,7 @@ void change_tool(Execution& run, const Chosen& chosen) {
     control.length_doubt = control.edge == 0 ? Control::LengthDoubt::edge : Control::LengthDoubt::none;
     if (control.edge == 0) lose_tilted_tip(run);
   }
+  if (chosen.row->value == kMacroOfUser) control.length_doubt = Control::LengthDoubt::macro;
   lose_unless_kept(run, chosen);
 }
 

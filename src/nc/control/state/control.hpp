@@ -149,8 +149,9 @@ struct Control {
   /// Where the length in force comes from; unknown: G170 after G169 H, as no source says whether that ends the length.
   enum class Length : std::uint8_t { by_code, by_tip, unknown } length = Length::by_code;
   /// Why it is not known whether a tool's length counts: after D0 a tool was changed, and D0 or D1 is in force as the
-  /// control is set; or G28, G30 or G53 ended the length of G43, and a parameter brings it back.
-  enum class LengthDoubt : std::uint8_t { none, edge, home } length_doubt = LengthDoubt::none;
+  /// control is set; G28, G30 or G53 ended the length of G43, and a parameter brings it back; or a macro of the user,
+  /// which may choose one, changed the tool.
+  enum class LengthDoubt : std::uint8_t { none, edge, home, macro } length_doubt = LengthDoubt::none;
   enum class Return : std::uint8_t { unknown, level, r } cycle_return = Return::unknown;  // M53, M54
   std::optional<ReturnLevel> return_level;                                                // G71
 

@@ -1,5 +1,13 @@
 #include "nc/control/state/modal_variables.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "nc/language/codes.hpp"
+#include "nc/language/refusal.hpp"
+
 namespace plumbline::nc {
 namespace {
 
@@ -82,6 +90,19 @@ std::optional<double> shown(const Control& control, int number) {
 std::optional<Value> modal_variable(const Control& control, int number) {
   const std::optional<double> value = shown(control, number);
   return value ? std::optional(Value{*value, true}) : std::nullopt;
+}
+
+void refuse_unread_variable(const Block& block, int number, Span span) {
+  constexpr std::array kAll{shows_motion, shows_plane, shows_distance, shows_feed_mode,
+                            shows_unit,   shows_cycle, shows_return,   shows_system,
+                            shows_feed,   shows_speed, shows_tool,     shows_further_system};
+  const bool is_modal = std::find(kAll.begin(), kAll.end(), number) != kAll.end();
+  refuse_at(block, span, codes::kNotInterpreted,
+            fmt::format("#{} {}", number,
+                        is_modal ? "shows what a block before has left in force, and no block of this program has"
+                                 : "is a variable of the control itself, which is not interpreted"),
+            is_modal ? "write the code, or the F, S or T, that it shows before this block"
+                     : "write the value itself; #1 to #33, #100 to #199 and #500 to #999 are the program's");
 }
 
 }  // namespace plumbline::nc

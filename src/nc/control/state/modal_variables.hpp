@@ -12,4 +12,7 @@ namespace plumbline::nc {
 /// followed, and where no block said it and the control's settings decide.
 std::optional<Value> modal_variable(const Control& control, int number);
 
+/// Refuses a variable of the control that is not read, or not yet.
+[[noreturn]] void refuse_unread_variable(const Block& block, int number, Span span);
+
 }  // namespace plumbline::nc

@@ -285,9 +285,7 @@ Value SystemParameters::read_macro_variable(const Block& block, int number, Span
     control_.position_read = true;  // arcs become lines, and F another one
     return *shown;
   }
-  refuse_at(block, span, codes::kNotInterpreted,
-            fmt::format("#{} is a variable of the control itself, which is not interpreted", number),
-            "write the value itself; #1 to #33, #100 to #199 and #500 to #999 are the program's");
+  refuse_unread_variable(block, number, span);
 }
 
 Value SystemParameters::read(const Block& block, int number, Span span) {

@@ -107,7 +107,9 @@ void write_restored_modes(const Step& step, bool other_length, const CodeWriter&
   }
   control.change_unit(was, is);
   write(modes.take());
-  if (is.feed > 0 && is.feed_mode != FeedMode::inverse_time && is.feed != control.feed) {
+  // Where it stays as it was, a move that counts on it says it again: a block of F alone may be refused under MCALL.
+  const bool feed_comes_back = step.saves_modes || is.feed != was.feed || is.feed_mode != was.feed_mode;
+  if (feed_comes_back && is.feed > 0 && is.feed_mode != FeedMode::inverse_time && is.feed != control.feed) {
     modes.word('F', is.feed);
     control.set_feed(is.feed);
   }

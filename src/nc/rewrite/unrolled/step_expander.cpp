@@ -13,7 +13,8 @@
 namespace plumbline::nc {
 namespace {
 
-constexpr double kWholeCode = 1e-9;  // how far G54 may be from a whole number
+constexpr double kWholeCode = 1e-9;    // how far G54 may be from a whole number
+constexpr double kRoundedFeed = 1e-4;  // of it, by which a feed that is worked out may be rounded
 
 constexpr std::size_t kLongestActive = 10;  // letters of an active comment's word
 
@@ -124,6 +125,15 @@ const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
   return &own.step;
 }
 
+// A feed that is worked out has as many decimals as the control keeps of F; a small one is left with all, and read
+// back.
+int StepExpander::decimals_of_value(const Word& word) const {
+  const int most = dialect_.behaviour.feed_decimals;
+  const bool is_feed = word.letter == 'F' || word.letter == kFeedOutLetter;
+  const double kept = std::round(word.value * std::pow(10, most)) / std::pow(10, most);
+  return is_feed && std::abs(kept - word.value) < kRoundedFeed * std::abs(word.value) ? most : kMostDecimals;
+}
+
 // A word with its value in place of an expression, as the language spells it: X5, CR=5, X=IC(5).
 std::string StepExpander::with_value(std::string_view text, const Word& word) const {
   const Spelling spelling{spelling_.lower_case, false, spelling_.point, spelling_.most_digits};
@@ -134,7 +144,7 @@ std::string StepExpander::with_value(std::string_view text, const Word& word) co
   if (whole && !has_parts) {
     append_word(value, word.letter, std::round(word.value), 0, {spelling_.lower_case, false, false, 0});
   } else {
-    append_word(value, word.letter, word.value, kMostDecimals, spelling);
+    append_word(value, word.letter, word.value, decimals_of_value(word), spelling);
   }
   const std::size_t equals = text.find('=');
   if (word.letter == kNamedCode) return std::string(text);

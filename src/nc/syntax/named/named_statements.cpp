@@ -92,12 +92,20 @@ void refuse_other_language(const BlockReading& in) {
                    "ENDIF");
 }
 
+// IF VC1 EQ 1 N5: all that is known of an OSP has the condition in brackets [K].
+void need_bracket(BlockReading& in) {
+  if (in.syntax->open != '[' || item_follows(in, TokenKind::open)) return;
+  in.cursor.refuse(in.out.flow().span, codes::kFlowControl, "the condition behind IF stands in no brackets",
+                   "write it as in IF [VC1 EQ 1] N100");
+}
+
 // jump = [ "IF" , value ] , ( "GOTO" , label | label | ) ; without either it begins a branch
 void named_jump(BlockReading& in, bool conditional) {
   Flow& flow = in.out.flow();
   Span keyword = flow.span;
   if (conditional) {
     refuse_label_of_operation(in);
+    need_bracket(in);
     flow.values.push_back(read_named_condition(in));
     refuse_other_language(in);
     if (in.syntax->branches) refuse_unread_keyword(in, in.cursor.span_of(in.cursor.peek(lex_named_item)));

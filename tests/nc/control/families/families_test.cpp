@@ -272,6 +272,14 @@ TEST_CASE("an axis whose words have a sign is stored within one turn, and no off
   }
 }
 
+TEST_CASE("P beside G28 and G30 belongs to G64, as they have none on LinuxCNC") {
+  for (const std::string line : {"G64 P0.05 G28 Z25", "G64 P0.7 G30 Z5", "G28 P0.5 G64"}) {
+    INFO(line);
+    CHECK(code_of("G90\nG0 X0 Y0 Z0 A0 B0 C0\n" + line + "\nM2\n", empty_tables()).empty());
+  }
+  CHECK(code_of("G90\nG0 X0\nG28 P0.5\nM2\n", empty_tables()) == "nc-word-unused");
+}
+
 TEST_CASE("behind a probe the help says what helps there") {
   const auto help = [](const std::string& text) {
     const auto refusal = refusal_of("G21 G90 G94\nG0 X0 Y0 Z20\n" + text + "M2\n", at_zero());

@@ -1,0 +1,6 @@
+(expect: nc-not-interpreted 4 30 dialect: fanuc)
+G21 G90 G54 G17
+G0 X0. Y0. Z20.
+G98 G73 X1. Y1. Z-8. R1. Q2. K6 F100.
+G80
+M30
