@@ -177,8 +177,8 @@ void MoveReader::note_away(const nc::Step& step) {
 }
 
 void MoveReader::note_stop(const nc::Step& step) {
+  stop_.axes = stop_.axes - known_;  // as of this block's begin: what it states itself may be what is missing
   AxisSet lost = std::exchange(known_, step.known) - step.known;
-  stop_.axes = stop_.axes - step.known;
   if (ends_swivel(step, dialect_)) {  // whoever is taken to stand at zero does so no more
     gone_ = AxisSet::rotary() - settings_.named;
     lost = lost | gone_;

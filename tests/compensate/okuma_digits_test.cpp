@@ -44,3 +44,11 @@ TEST_CASE("OSP: a feed that is worked out is written with the decimals that the 
     CHECK_FALSE(std::regex_search(result.text, std::regex("FA?=?[0-9]+\\.[0-9]{4}")));
   }
 }
+
+TEST_CASE("OSP: the F of a smoothing code is no feed, and keeps the digits that it is worth") {
+  Job job = job_of_control("okuma");
+  job.program.feed_rule = nc::FeedRule::xyz_first;
+  const std::string text =
+      "G15 H1\nG17 G90 G94\nG0 X-30 Y-50 Z50 A0 B0 C0\nGOTO N5\nN5 G131 F=1000/3 J1 E0.01\nG1 X5 F100\nM2\n";
+  CHECK(run(text, job).text.find("F333.333333333 J1") != std::string::npos);
+}

@@ -77,7 +77,8 @@ bool is_mode(nc::Action action) {
   return action == nc::Action::spindle || action == nc::Action::coolant || action == nc::Action::override_switch ||
          action == nc::Action::tool_length || action == nc::Action::tool_length_by_words ||
          action == nc::Action::tool_length_off || action == nc::Action::speed_word ||
-         action == nc::Action::suspend_position || action == nc::Action::restore_position;
+         action == nc::Action::surface_speed || action == nc::Action::suspend_position ||
+         action == nc::Action::restore_position;
 }
 
 bool is_axis(char letter) { return axis_of(letter).has_value(); }
@@ -219,6 +220,7 @@ std::string difference(const IntendedState& meant, const nc::Modal& modal, const
   if (a.rotary != b.rotary) return "how rotary words count";
   if (a.switches.spindle != b.switches.spindle) return "the spindle";
   if (!alike(a.switches.speed, b.switches.speed)) return "the speed of the spindle";
+  if (a.switches.surface_speed != b.switches.surface_speed) return "whether S is the speed of the surface";
   if (a.switches.mist != b.switches.mist || a.switches.flood != b.switches.flood) return "the coolant";
   const bool keeps_points = b.switches.naive_tolerance == 0;  // Q0 is written where G64 P has another one
   if (!alike(a.switches.path_tolerance, b.switches.path_tolerance) ||

@@ -90,7 +90,7 @@ void act_on_mode(Execution& run, const Chosen& chosen) {
       return;
     case Action::surface_speed:
       if (chosen.row->value == 1) run.need('S', run.text_of(*chosen.word));
-      run.control.surface_speed = chosen.row->value == 1;
+      run.control.modal.switches.surface_speed = chosen.row->value == 1;
       return;
     case Action::inches:
       return change_unit(run, *chosen.word, true);

@@ -22,6 +22,7 @@ int override_code(const Switches& switches) { return switches.feed_override ? kO
 void restore_switches(Switches& switches, const Switches& saved) {
   const Switches found = switches;
   switches.spindle = saved.spindle;
+  switches.surface_speed = saved.surface_speed;
   const int mist = mist_code(saved);
   if (mist != mist_code(found)) {
     if (mist == kCoolantOff) switches.mist = switches.flood = false;
@@ -82,7 +83,7 @@ void restore_shift(Execution& run, const SavedModes& saved) {
 }  // namespace
 
 SavedModes save_modes(const Control& control) {
-  return {control.modal, control.surface_speed, control.frame.tool != AxisWords{}, control.g92.applied};
+  return {control.modal, control.frame.tool != AxisWords{}, control.g92.applied};
 }
 
 // The length unit comes back in a block of its own, the others together [interp_convert.cc, restore_settings].
@@ -97,7 +98,6 @@ void restore_modes(Execution& run, const SavedModes& saved, const Block& block) 
   modal.incremental = saved.modal.incremental;
   modal.arc_centre_absolute = saved.modal.arc_centre_absolute;
   modal.retract_to_r = saved.modal.retract_to_r;
-  control.surface_speed = saved.surface_speed;
   restore_path_control(modal, saved.modal);
   if (saved.tool_length != (control.frame.tool != AxisWords{})) restore_tool_length(run, saved.tool_length);
   if (modal.work_system != saved.modal.work_system) choose_work_system(run, saved.modal.work_system);

@@ -9,7 +9,6 @@ namespace plumbline::nc {
 
 struct SavedModes {
   Modal modal;
-  bool surface_speed = false;
   bool tool_length = false;         // some length was in force: G43, else G49
   std::optional<bool> g92_applied;  // whether an offset of G92 or G52 was; nothing: not known
 };

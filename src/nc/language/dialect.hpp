@@ -154,7 +154,7 @@ struct CodeRow {
   std::string levels;                      // which of these are heights of the work, digits that count from 0
   bool has_values = false;                 // a name with values in ( ) after it
   bool tool_vectors = false;               // of a tool length: I, J, K are the direction of the tool with it in force
-  std::string written_as;                  // the code that takes A, B and C in their place
+  std::string written_as;                  // the code that is written instead, with A, B and C or on its own
 
   std::string_view reason() const;   // what stands before "; " in why
   std::string_view way_out() const;  // and after it; empty: nothing does

@@ -1,6 +1,7 @@
 // The words of a canned cycle, and what it inherits from the one before.
 #include "nc/control/families/cycle_words.hpp"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,7 @@ class CycleWords {
  private:
   void take_words_of_osp(bool is_new);
   void check_pecks_of_osp() const;
+  void check_worked_out_dwell(const Word& word) const;
   void check_restated() const;
   double inherited(char letter, double before, double value, bool needed) const;
 
@@ -90,6 +92,7 @@ void CycleWords::take_words() {
   if (const Word* const word = run_.words.find('P')) {
     // Posts for an OSP write seconds with a point or milliseconds, as the machine is set: it stays as it is written.
     if (!of_osp) check_milliseconds(run_, *word, waits);
+    if (of_osp) check_worked_out_dwell(*word);
     cycle_.dwell_pointed = word->point;
   }
   // The manual has no P in these [U part 2, p. 53], a Haas waits at the bottom [H], and it keeps the P of a cycle
@@ -110,6 +113,16 @@ void CycleWords::take_words() {
     run_.refuse(word != nullptr ? *word : run_.motion_code(), codes::kOutOfRange, "a peck has no depth",
                 fmt::format("write {} greater than 0", peck));
   }
+}
+
+// P=VC1 worth 0.4: a literal with a point is seconds, and what is worked out has no point that says so.
+void CycleWords::check_worked_out_dwell(const Word& word) const {
+  if (word.expression == kLiteral || word.value == std::round(word.value)) return;
+  run_.refuse(
+      word, codes::kNotWhole,
+      fmt::format("{} is worth {:g}: whether P that is worked out counts seconds or milliseconds, no source says",
+                  run_.text_of(word), word.value),
+      "write the number itself, P0.4 or P400, or make the value whole");
 }
 
 // Posts write Q, or I and J together [P onCyclePoint, chip-breaking].

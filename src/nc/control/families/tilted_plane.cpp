@@ -86,7 +86,9 @@ void define_tilted_plane(Execution& run, const Chosen& chosen) {
     refuse_beside_plane(run, *word,
                         fmt::format("{} {} says otherwise how the plane lies, which no source at hand covers",
                                     run.block->at(chosen.word->span), run.block->at(word->span)),
-                        "give the plane by its origin and Euler angles: G68.2 X Y Z I J K");
+                        letter == 'P' && word->value == 0
+                            ? "leave P0 out, where it says that I J K are Euler angles about Z, X and Z"
+                            : "give the plane by its origin and Euler angles: G68.2 X Y Z I J K");
   }
   if (counts_increments(run)) {
     refuse_beside_plane(run, *chosen.word,

@@ -146,10 +146,11 @@ void refuse_length_doubt(const Execution& run, const Word& word) {
         "a macro of the user changed the tool before it, and whether that chose its length, too, no program says",
         "write G56 H (or G53) after it, before the first move of Z");
   }
-  run.refuse(word, codes::kNotInterpreted,
-             "the move of Z to a place of the machine before it ended the tool length, and whether that comes back by "
-             "itself depends on a parameter of the control (5001 EVO)",
-             "write G43 H (or G49) after G28, G30 and G53");
+  run.refuse(
+      word, codes::kNotInterpreted,
+      "the move to a place of the machine before it ended the tool length, or did so on some controls, and whether "
+      "it comes back by itself depends on a parameter (5001 EVO)",
+      "write G43 H (or G49) after G28, G30 and G53");
 }
 
 void check_length_known(const Execution& run) {
@@ -167,10 +168,11 @@ void check_length_known(const Execution& run) {
   }
 }
 
-// G28 Z0 under G43: "vectors are canceled" [B-63844EN 14.1.2]; "G28 cancels tool length offsets" [Haas 96-8000].
+// G28 Z0 under G43: "vectors are canceled" [B-63844EN 14.1.2]; "G28 cancels tool length offsets" [Haas 96-8000],
+// whichever axis it names.
 void end_length_at_home(Execution& run) {
   Control& control = run.control;
-  const bool along_tool = run.axes.empty() || run.axes.contains(Axis::Z);
+  const bool along_tool = run.axes.empty() || run.axes.contains(Axis::Z) || run.chosen_row(Action::go_home) != nullptr;
   if (!run.dialect.behaviour.home_ends_length || !along_tool || control.frame.tool == AxisWords{}) return;
   control.length_doubt = Control::LengthDoubt::home;
 }

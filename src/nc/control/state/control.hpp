@@ -132,7 +132,6 @@ struct Control {
   bool moved_on_selected = false;          // and moves were made with it
   double spindle_speed = 0;
   bool spindle_told = false;   // by M3 to M5: before, the program may be a part of another
-  bool surface_speed = false;  // G96
   bool speed_limited = false;  // LIMS
   double feed_kept = 0;        // number of the F that G93 found in force, until a move has its own; then no number
   const CodeRow* feed_taken = nullptr;  // a cycle with feeds of its own, since the last F

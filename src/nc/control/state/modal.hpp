@@ -29,6 +29,7 @@ struct Switches {
   bool feed_override = true, speed_override = true, adaptive_feed = false, feed_stop = true;
   double path_tolerance = 0, naive_tolerance = 0;  // in the program's unit
   double speed = 0;
+  bool surface_speed = false;  // G96: the speed is that of the surface
   bool operator==(const Switches&) const = default;
 };
 

@@ -55,7 +55,7 @@ std::string CodeWriter::text_of(std::string_view meaning, std::optional<int> val
   for (const auto* rows : {&dialect_.g_codes, &dialect_.m_codes}) {
     const char letter = rows == &dialect_.g_codes ? 'G' : 'M';
     for (const CodeRow& row : *rows) {
-      if (row.meaning != meaning || (value && row.value != *value)) continue;
+      if (row.meaning != meaning || (value && row.value != *value) || !row.written_as.empty()) continue;
       return row.code % 10 == 0 ? fmt::format("{}{}", letter, row.code / 10)
                                 : fmt::format("{}{}.{}", letter, row.code / 10, row.code % 10);
     }

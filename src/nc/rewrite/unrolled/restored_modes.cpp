@@ -113,7 +113,10 @@ void write_restored_modes(const Step& step, bool other_length, const CodeWriter&
     modes.word('F', is.feed);
     control.set_feed(is.feed);
   }
-  if (is.switches.speed != was.switches.speed) modes.word('S', is.switches.speed);
+  const bool other_speed = is.switches.surface_speed != was.switches.surface_speed;
+  if (other_speed) modes.code("surface_speed", is.switches.surface_speed ? 1 : 0);
+  if (is.switches.speed != was.switches.speed || (other_speed && is.switches.surface_speed))
+    modes.word('S', is.switches.speed);
   if (is.switches.spindle != was.switches.spindle) modes.code(codes.text_of("spindle", is.switches.spindle));
   write(modes.take());
   write_switches(was.switches, is.switches, codes, spelling, write);

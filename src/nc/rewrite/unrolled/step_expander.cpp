@@ -127,15 +127,21 @@ const Step* StepExpander::plain(const Step& step, bool keeps_settings) {
 
 // A feed that is worked out has as many decimals as the control keeps of F; a small one is left with all, and read
 // back.
-int StepExpander::decimals_of_value(const Word& word) const {
+int StepExpander::decimals_of_value(const Step& step, const Word& word) const {
   const int most = dialect_.behaviour.feed_decimals;
+  for (const Word& code : step.block->words) {  // the F of G131 is no feed
+    const CodeRow* const row = is_code(code) ? dialect_.row_of(code) : nullptr;
+    if (row != nullptr && row->action == Action::no_motion && (row->word_mask & letter_bit('F')) != 0)
+      return kMostDecimals;
+  }
   const bool is_feed = word.letter == 'F' || word.letter == kFeedOutLetter;
   const double kept = std::round(word.value * std::pow(10, most)) / std::pow(10, most);
   return is_feed && std::abs(kept - word.value) < kRoundedFeed * std::abs(word.value) ? most : kMostDecimals;
 }
 
 // A word with its value in place of an expression, as the language spells it: X5, CR=5, X=IC(5).
-std::string StepExpander::with_value(std::string_view text, const Word& word) const {
+std::string StepExpander::with_value(const Step& step, const Word& word) const {
+  const std::string_view text = step.block->at(word.span);
   const Spelling spelling{spelling_.lower_case, false, spelling_.point, spelling_.most_digits};
   std::string value;
   const bool whole = dialect_.behaviour.whole_words.find(word.letter) != std::string::npos;
@@ -144,7 +150,7 @@ std::string StepExpander::with_value(std::string_view text, const Word& word) co
   if (whole && !has_parts) {
     append_word(value, word.letter, std::round(word.value), 0, {spelling_.lower_case, false, false, 0});
   } else {
-    append_word(value, word.letter, word.value, decimals_of_value(word), spelling);
+    append_word(value, word.letter, word.value, decimals_of_value(step, word), spelling);
   }
   const std::size_t equals = text.find('=');
   if (word.letter == kNamedCode) return std::string(text);
@@ -174,7 +180,7 @@ void StepExpander::write_values(const Step& step, bool keeps_settings, std::stri
     } else if (is_end_in_other_words(step, word)) {
       write_end(step, end_written, word.span);
     } else if (word.expression != kLiteral && !word.unknown) {
-      editor_.replace(word.span, with_value(step.block->at(word.span), word));
+      editor_.replace(word.span, with_value(step, word));
     } else if (word.unknown && !keeps_settings) {
       refuse_at(*step.block, word.span, "emit-value-unknown",
                 "this value is known only when the machine runs, and the program must be written without parameters",

@@ -42,8 +42,8 @@ class StepExpander {
   const Place* silenced() const { return silenced_ ? &*silenced_ : nullptr; }
 
  private:
-  std::string with_value(std::string_view text, const Word& word) const;
-  int decimals_of_value(const Word& word) const;
+  std::string with_value(const Step& step, const Word& word) const;
+  int decimals_of_value(const Step& step, const Word& word) const;
   void write_values(const Step& step, bool keeps_settings, std::string_view without = {});
   bool steers(const Word& word) const;
   std::string words_of_flow(const Block& block) const;
