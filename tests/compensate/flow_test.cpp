@@ -112,20 +112,6 @@ TEST_CASE("modes that come back are written as codes") {
   CHECK(output.find("G17 G91.1\nF300\n") != std::string::npos);
 }
 
-TEST_CASE("whether S is the speed of the surface comes back") {
-  const std::string back = check_unrolled(kStart +
-                                          "F200\nM3 S1000\no1 sub\nM73\nD2000 S77 G96 F300\nG1 X5\no1 endsub\n"
-                                          "o1 call\nG1 X9\nM5\nM2\n");
-  CHECK(back.find("F200 G97 S1000\n") != std::string::npos);
-  const std::string on = check_unrolled(kStart +
-                                        "F200\nG96 D2000 S77\nM3\nM70\no1 repeat [1]\nG97 S500\nG1 X5\n"
-                                        "o1 endrepeat\nM72\nG1 X9\nM2\n");
-  CHECK(on.find("G96 S77\n") != std::string::npos);
-  const std::string passes =
-      check_unrolled(kStart + "F300 S900 M3\nM98 P7 L2\nG1 X5\nM2\nO7\nM73\nG96 S50\nG1 X1\nM99\n");
-  CHECK(passes.find("G97 S900\n") != std::string::npos);
-}
-
 TEST_CASE("modes come back after each pass of a call") {
   for (const std::string inside : {"G91\nG1 X1 Z-2\n", "G20 F9\nG1 X.1\nG91 Y.1\n", "G18 G90.1 G64 P1\nG1 X7\n"}) {
     for (const std::string end : {"M99\n", "N5 M99 (again)\n", "M9\nM99\n"}) {

@@ -133,3 +133,16 @@ TEST_CASE("what stands beside a call or the end of a subprogram is written once,
     CHECK(body.substr(body.find('\n')).find(of.none) == std::string::npos);
   }
 }
+
+TEST_CASE("whether S is the speed of the surface comes back where the program is written out") {
+  const Job job = without_friction();
+  const auto holds = [&](const std::string& text, const std::string& line) {
+    const Result result = run(kSpinning + text, job);
+    INFO(result.text);
+    CHECK(result.summary.unrolled);
+    CHECK(result.text.find(line) != std::string::npos);
+  };
+  holds("F200 S1000\no1 sub\nM73\nD2000 S77 G96 F300\nG1 X5\no1 endsub\no1 call\nG1 X9\nM5\nM2\n", "F200 G97 S1000\n");
+  holds("F200\nG96 D2000 S77\nM70\no1 repeat [1]\nG97 S500\nG1 X5\no1 endrepeat\nM72\nG1 X9\nM2\n", "G96 S77\n");
+  holds("F300 S900\nM98 P7 L2\nG1 X5\nM2\nO7\nM73\nG96 S50\nG1 X1\nM99\n", "G97 S900\n");
+}
