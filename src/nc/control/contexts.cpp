@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kSameValue = 1e-9;
 
-const Chosen* find_code(const Execution& run, Action action) {
-  const auto found = std::find_if(run.chosen.begin(), run.chosen.end(),
-                                  [&](const Chosen& code) { return code.row->action == action; });
-  return found == run.chosen.end() ? nullptr : &*found;
-}
-
 // G5.1 Q2 X0 Y0 Z0: the axes that the function works on.
 void check_named_axes(const Execution& run, const Chosen& code) {
   for (const Axis axis : kAllAxes) {
@@ -83,8 +77,8 @@ void check_m_codes(const Execution& run) {
 void check_words_beside_unit(const Execution& run) {
   const std::string& unknown = run.dialect.behaviour.unknown_beside_unit;
   if (unknown.empty()) return;
-  const Chosen* code = find_code(run, Action::inches);
-  if (code == nullptr) code = find_code(run, Action::millimetres);
+  const Chosen* code = run.chosen_code(Action::inches);
+  if (code == nullptr) code = run.chosen_code(Action::millimetres);
   if (code == nullptr || (code->row->action == Action::inches) == run.control.modal.inches) return;
   for (const Word& word : run.block->words) {
     if (unknown.find(word.letter) == std::string::npos) continue;
@@ -188,7 +182,7 @@ void check_cycle_increments(const Execution& run) {
   if (run.motion->action != Action::cycle || !counts_increments(run)) return;
   const Axis normal = axes_of(run.control.modal.plane).third;
   const bool with_length =
-      run.dialect.behaviour.increment_unknown_after_length && find_code(run, Action::tool_length) != nullptr;
+      run.dialect.behaviour.increment_unknown_after_length && run.chosen_code(Action::tool_length) != nullptr;
   if (with_length) {
     run.refuse(run.motion_code(), codes::kNotInterpreted,
                "whether the increments of this cycle bring the tool length of its block along is not known",
@@ -225,9 +219,9 @@ void check_words_of_call(const Execution& run, const CodeRow& call) {
 void check_beside_cycle(const Execution& run) {
   const bool drills = run.motion != nullptr && run.motion->action == Action::cycle;
   if (!drills || !run.dialect.behaviour.fanuc_cycles) return;
-  const Chosen* other = find_code(run, Action::plane_zx);
-  if (other == nullptr) other = find_code(run, Action::plane_yz);
-  const bool in_xy = run.control.modal.plane == Plane::xy || find_code(run, Action::plane_xy) != nullptr;
+  const Chosen* other = run.chosen_code(Action::plane_zx);
+  if (other == nullptr) other = run.chosen_code(Action::plane_yz);
+  const bool in_xy = run.control.modal.plane == Plane::xy || run.chosen_code(Action::plane_xy) != nullptr;
   if (other != nullptr || !in_xy) {
     run.refuse(other != nullptr ? *other->word : run.motion_code(), codes::kNotInterpreted,
                run.dialect.behaviour.return_levels
@@ -235,7 +229,7 @@ void check_beside_cycle(const Execution& run) {
                    : "which axis drills in G18 and G19 is said by a parameter of the control (5101 FXY)",
                "write G17 before it, and drill along Z");
   }
-  const Chosen* const off = run.dialect.behaviour.return_levels ? find_code(run, Action::motion_off) : nullptr;
+  const Chosen* const off = run.dialect.behaviour.return_levels ? run.chosen_code(Action::motion_off) : nullptr;
   if (off != nullptr) {
     run.refuse(
         *off->word, codes::kSameGroup,
@@ -278,8 +272,8 @@ void check_modal_call(const Execution& run) {
 }  // namespace
 
 bool counts_increments(const Execution& run) {
-  if (find_code(run, Action::incremental) != nullptr) return true;
-  return run.control.modal.incremental && find_code(run, Action::absolute) == nullptr;
+  if (run.chosen_code(Action::incremental) != nullptr) return true;
+  return run.control.modal.incremental && run.chosen_code(Action::absolute) == nullptr;
 }
 
 void check_contexts(const Execution& run) {
@@ -356,9 +350,9 @@ void check_increment(const Execution& run, const Word& word, Axis axis) {
 
 // Of G1 and G81 in one block the control makes what its series does: one group or two [B-62764EN 13.1].
 void check_cycle_beside_motion(const Execution& run) {
-  const Chosen* const cycle = find_code(run, Action::cycle);
+  const Chosen* const cycle = run.chosen_code(Action::cycle);
   if (cycle == nullptr) return;
-  const Chosen* const off = find_code(run, Action::motion_off);
+  const Chosen* const off = run.chosen_code(Action::motion_off);
   if (off != nullptr && off->word > cycle->word) {
     run.refuse(*off->word, codes::kSameGroup,
                fmt::format("{} after a canned cycle, in its block", run.block->at(off->word->span)),

@@ -77,6 +77,8 @@ struct Execution {
   std::string_view text_of(const Word& word) const { return block->at(word.span); }
   /// The row of the block's code that does this; null if it has none.
   const CodeRow* chosen_row(Action action) const;
+  /// The same with its word.
+  const Chosen* chosen_code(Action action) const;
   /// The word of that letter; refuses when it is missing.
   const Word& need(char letter, std::string_view code_text) const;
 };
@@ -227,7 +229,6 @@ AxisSet absolute_words(const Execution& run);
 bool is_wrapped(const Execution& run, Axis axis);
 /// Refuses words of an offset that are a turn or more on such an axis.
 void check_wrapped_words(const Execution& run);
-void check_wrapped_place(const Execution& run, const Word& word, Axis axis);
 /// Refuses a word that is a turn or more, of an axis whose words have a sign for the way round.
 void check_within_turn(const Execution& run, const Word& word);
 /// Refuses a word of a wrapped axis that stands there but for what rounding leaves.

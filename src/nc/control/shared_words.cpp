@@ -78,12 +78,8 @@ void check_length_beside_machine_move(const Execution& run) {
 
 // G53 G169 H1: the order in which the two act was found in no source.
 void check_end_beside_tip(const Execution& run) {
-  const Chosen* tip = nullptr;
-  const Chosen* off = nullptr;
-  for (const Chosen& code : run.chosen) {
-    if (code.row->action == Action::tool_tip_on) tip = &code;
-    if (code.row->action == Action::tool_length_off) off = &code;
-  }
+  const Chosen* const tip = run.chosen_code(Action::tool_tip_on);
+  const Chosen* const off = run.chosen_code(Action::tool_length_off);
   if (tip == nullptr || off == nullptr) return;
   run.refuse(*tip->word, codes::kNotInterpreted,
              fmt::format("whether {} or {} of one block says which length counts was found in no source",
@@ -197,9 +193,8 @@ void check_tip_mode(const Execution& run) {
 // What NCYL does where no cycle is in force was found in no source, nor what it does alone.
 void check_no_hole(const Execution& run) {
   if (run.motion != nullptr && run.motion->action == Action::cycle) return;
-  const auto none = std::find_if(run.chosen.begin(), run.chosen.end(),
-                                 [](const Chosen& code) { return code.row->action == Action::no_hole; });
-  if (none == run.chosen.end()) return;
+  const Chosen* const none = run.chosen_code(Action::no_hole);
+  if (none == nullptr) return;
   if (run.motion == nullptr) {
     run.refuse(*none->word, codes::kNotInterpreted,
                fmt::format("what {} does alone was found in no source", run.text_of(*none->word)),

@@ -26,10 +26,6 @@ void check_wrapped_words(const Execution& run) {
   }
 }
 
-void check_wrapped_place(const Execution& run, const Word& word, Axis axis) {
-  if (is_wrapped(run, axis)) check_within_turn(run, word);
-}
-
 void check_sign_of_zero(const Execution& run, const Word& word, Axis axis) {
   if (run.control.modal.rule_of(axis) != RotaryRule::sign || run.dialect.behaviour.zero_has_sign) return;
   const std::string_view text = run.block->at(word.span);

@@ -63,8 +63,8 @@ void go_home(Execution& run, int which) {
   Control& control = run.control;
   check_tool_unit(run, run.first_word());
   check_no_rotary_words(run);
-  const bool by_number = run.dialect.syntax.statements != Statements::o_words;  // there P is of a G64 beside it
-  if (const Word* word = by_number ? run.words.find('P') : nullptr) {
+  const bool takes_number = (run.chosen_row(Action::go_home)->word_mask & letter_bit('P')) != 0;
+  if (const Word* word = takes_number ? run.words.find('P') : nullptr) {
     const bool of_fanuc = run.dialect.syntax.statements == Statements::macro_b;
     run.whole(*word, of_fanuc ? 2 : 1, of_fanuc ? 4 : kNoLimit);
   }

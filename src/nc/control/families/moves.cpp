@@ -46,11 +46,16 @@ int Execution::whole(const Word& word, int least, int most) const {
          most == kNoLimit ? fmt::format("write {} or more", least) : fmt::format("write {} to {}", least, most));
 }
 
-const CodeRow* Execution::chosen_row(Action action) const {
+const Chosen* Execution::chosen_code(Action action) const {
   for (const Chosen& code : chosen) {
-    if (code.row->action == action) return code.row;
+    if (code.row->action == action) return &code;
   }
   return nullptr;
+}
+
+const CodeRow* Execution::chosen_row(Action action) const {
+  const Chosen* const code = chosen_code(action);
+  return code == nullptr ? nullptr : code->row;
 }
 
 // As the letters are said: an F, a P.

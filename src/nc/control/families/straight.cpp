@@ -26,6 +26,7 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
   }
   check_tool_unit(run, *run.machine_word);
   check_no_rotary_words(run);
+  check_wrapped_words(run);
   const Frame frame = control.frame.without_rotary_tool();
   AxisWords machine = frame.to_machine(control.position);
   for (const Axis axis : kAllAxes) {
@@ -42,7 +43,6 @@ void end_in_machine_coordinates(const Execution& run, Motion& motion) {
     if (!moved.contains(axis)) continue;
     const Word* const word = run.words.find(axis);
     if (word != nullptr) check_sign_of_zero(run, *word, axis);
-    if (word != nullptr) check_wrapped_place(run, *word, axis);
     const bool negative = word != nullptr && std::signbit(word->value);
     const auto from = control.known.contains(axis) ? std::optional(control.position[axis]) : std::nullopt;
     motion.to[axis] = rotary_end(control.modal.rule_of(axis), work[axis], negative, from);

@@ -172,7 +172,7 @@ void check_length_known(const Execution& run) {
 // whichever axis it names.
 void end_length_at_home(Execution& run) {
   Control& control = run.control;
-  const bool along_tool = run.axes.empty() || run.axes.contains(Axis::Z) || run.chosen_row(Action::go_home) != nullptr;
+  const bool along_tool = run.axes.contains(Axis::Z) || run.chosen_row(Action::go_home) != nullptr;
   if (!run.dialect.behaviour.home_ends_length || !along_tool || control.frame.tool == AxisWords{}) return;
   control.length_doubt = Control::LengthDoubt::home;
 }
