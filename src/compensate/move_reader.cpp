@@ -190,6 +190,7 @@ void MoveReader::note_stop(const nc::Step& step) {
   if (by_length) name = "the change of the tool's length under a tilt";
   if (step.stop == nc::StopByVariable::message) name = fmt::format("#{}", dialect_.syntax.message_variable);
   stop_ = {lost, std::move(name), code, step.block->line, std::string(step.block->file), by_length};
+  if (ends_swivel(step, dialect_)) swivel_ = stop_;
 }
 
 UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
@@ -197,11 +198,12 @@ UnknownPosition MoveReader::unknown(const nc::Step& step, AxisSet known) {
   found.moved = at_zero_ & step.named;
   if (!found.moved.empty()) return found;
   found.missing = AxisSet::all() - known;
-  if (!stop_.name.empty() && !(found.missing & stop_.axes).empty()) {
-    const bool here = stop_.file == step.block->file;
-    found.stop = fmt::format("{} in line {}{}", stop_.name, stop_.line, here ? "" : fmt::format(" of {}", stop_.file));
-    found.stop_code = stop_.code;
-    found.by_length = stop_.by_length;
+  const Stop& stop = (found.missing & stop_.axes).empty() ? swivel_ : stop_;
+  if (!stop.name.empty() && !(found.missing & stop.axes).empty()) {
+    const bool here = stop.file == step.block->file;
+    found.stop = fmt::format("{} in line {}{}", stop.name, stop.line, here ? "" : fmt::format(" of {}", stop.file));
+    found.stop_code = stop.code;
+    found.by_length = stop.by_length;
   }
   found.no_system = dialect_.behaviour.no_work_system_at_start;
   if ((found.missing & AxisSet::rotary()).empty()) return found;

@@ -174,6 +174,7 @@ class MoveReader {
   AxisSet gone_;   // that no word names, since the end of a swivelled plane
   AxisSet known_;  // after the block before
   Stop stop_;
+  Stop swivel_;  // the last end of a swivelled plane: axes that no word names are lost by it alone
   PassedMoves passed_;
   std::uint64_t blocks_ = 0;
 

@@ -99,6 +99,8 @@ void Tally::take_cut(const CorrectedMove& corrected, const WrittenMove& written)
   if (stops && written.pieces.size() > 1 && !may_stop_) may_stop_ = place_of(*move.step);
   const bool unstated = dialect_.behaviour.length_set_at_start && !move.step->after->length_stated;
   if (unstated && !length_unstated_) length_unstated_ = place_of(*move.step);
+  const bool any_unit = dialect_.behaviour.unit_set_at_start && !move.step->after->unit_stated;
+  if (any_unit && !unit_unstated_) unit_unstated_ = place_of(*move.step);
   if (!move.seconds && !goes_nowhere(move.path.curve)) ++summary_.untimed_moves;
   if (written.changed && move.seconds) note_short_pieces(written, *move.seconds, at);
   note_written(written, move.seconds, at);
@@ -244,6 +246,14 @@ Summary Tally::summary() {
          "the program does not say which tool length is in force here, and none is taken: which one the control begins "
          "with is set in the machine",
          "write G53 for none, or G56 H and its number, before the first cut", *length_unstated_, Severity::warning});
+  }
+  if (unit_unstated_) {
+    summary.warnings.push_back(
+        {"compensate-unit-unstated",
+         "the program does not say in which unit it is, and mm is taken: the control takes the unit that is in force "
+         "when a program begins",
+         "write G21 or G20 before the first move, or say what is in force then: --unit mm or --unit inch",
+         *unit_unstated_, Severity::warning});
   }
   if (may_stop_) {
     summary.warnings.push_back(

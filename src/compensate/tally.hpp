@@ -64,6 +64,7 @@ class Tally {
   bool ended_ = false;                    // the last thing that was executed ends a program
   std::size_t last_line_ = 0;             // that holds a word
   std::optional<Place> length_unstated_;  // a cut before the program says which tool length is in force
+  std::optional<Place> unit_unstated_;    // a cut before it says in which unit
   std::optional<Place> may_stop_;         // a block that became several, where the program states no path mode
   std::map<int, Place> massless_tools_;   // and where each came into the spindle
   std::optional<std::pair<double, Place>> negative_length_;  // the first that moves were made with

@@ -47,23 +47,18 @@ int whole_number_in(std::string_view text, int lower, int upper, std::string_vie
   return static_cast<int>(value);
 }
 
-bool on_or_off(std::string_view text) {
-  if (text == "on") return true;
-  if (text == "off") return false;
-  throw OptionError("expected on or off");
+bool is_first(std::string_view text, std::string_view first, std::string_view second) {
+  if (text == first) return true;
+  if (text == second) return false;
+  throw OptionError(fmt::format("expected {} or {}", first, second));
 }
+bool on_or_off(std::string_view text) { return is_first(text, "on", "off"); }
 
 nc::FeedRule feed_rule_in(std::string_view text) {
   if (text == "xyz") return nc::FeedRule::xyz_first;
   if (text == "all") return nc::FeedRule::all_axes_as_mm;
   if (text == "unknown") return nc::FeedRule::unknown;
   throw OptionError("expected xyz, all or unknown");
-}
-
-bool along_circle_in(std::string_view text) {
-  if (text == "circle") return true;
-  if (text == "path") return false;
-  throw OptionError("expected circle or path");
 }
 
 nc::FreeRotation free_rotation_in(std::string_view text) {
@@ -221,6 +216,10 @@ constexpr std::string_view kDialects = "{dialects}";  // of a help
 constexpr std::array kRows{
     OptionRow{"dialect", "NAME", "language of the program: {dialects} (default: as its text shows)",
               OptionGroup::program, false, false, set_dialect},
+    OptionRow{"unit", "mm|inch",
+              "linuxcnc, fanuc: the unit in force when a program begins that states neither G20 nor G21 (default: mm)",
+              OptionGroup::program, false, false,
+              [](Options& o, Text t) { o.program.inches = !is_first(t, "mm", "inch"); }},
     OptionRow{
         "calculator-type", "on|off",
         "fanuc: a number without a point counts mm, inches and degrees (on) or increments of the control (off, the "
@@ -239,7 +238,7 @@ constexpr std::array kRows{
               "F of an arc beside which another axis moves is the speed along its circle, or along the whole path "
               "(default: the dialect's: fanuc circle, the others path)",
               OptionGroup::program, false, false,
-              [](Options& o, Text t) { o.program.helix_feed_along_circle = along_circle_in(t); }},
+              [](Options& o, Text t) { o.program.helix_feed_along_circle = is_first(t, "circle", "path"); }},
     OptionRow{"rotary", "sign|shortest|one-turn",
               "how absolute words of A, B and C count on axes that turn without end, or of one as C=sign; repeatable "
               "(default: "

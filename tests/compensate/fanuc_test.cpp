@@ -37,6 +37,35 @@ TEST_CASE("a rigid tap keeps its words, its blocks and its mode at every hole") 
             "X[-0-9. YZR]+\nG98 Y[-0-9. XZR]+ \\(last\\)\nG80$"));
 }
 
+TEST_CASE("a cut before the program says in which unit is warned of, and read in the unit that the control is in") {
+  for (const std::string control : {"fanuc", "linuxcnc", "siemens"}) {
+    INFO(control);
+    Job job = job_of_control(control);
+    const auto warns = [&](const std::string& text) {
+      const std::vector<Diagnostic>& warnings = run(text, job).summary.warnings;
+      return std::count_if(warnings.begin(), warnings.end(),
+                           [](const Diagnostic& warning) { return warning.code == "compensate-unit-unstated"; });
+    };
+    const std::string start = "G17 G90 G54 G94\nG0 X0. Y0. Z1. A0. B0. C0.\n";
+    const std::string cut = "G1 X.5 F10.\nX1.\nM30\n";
+    const bool stays = control != "siemens";
+    CHECK(warns(start + cut) == (stays ? 1 : 0));
+    CHECK(warns(start + "M30\n") == 0);
+    if (!stays) continue;
+    CHECK(warns("G21\n" + start + cut) == 0);
+    CHECK(warns("G20\n" + start + cut) == 0);
+    CHECK(end_of(start + cut, job)[Axis::X] == Approx(1));
+    job.program.inches = true;
+    CHECK(warns(start + cut) == 0);
+    CHECK(end_of(start + cut, job)[Axis::X] == Approx(25.4));
+    const std::string moves = run(start + cut, job).text;
+    CHECK(run("G20\n" + start + cut, job).text.ends_with(moves.substr(moves.find("G1 X"))));
+    job.program.inches = false;
+    CHECK(warns(start + cut) == 0);
+    CHECK(end_of(start + cut, job)[Axis::X] == Approx(1));
+  }
+}
+
 TEST_CASE("after a cycle that became moves, the G0 that goes on is in force again") {
   const Job job = fanuc_job();
   for (const std::string cycle :

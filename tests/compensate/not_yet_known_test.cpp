@@ -271,5 +271,11 @@ TEST_CASE("siemens: a program of three axes may end with CYCLE800(), and cuts no
             std::string::npos);
     }
   }
+  job.program.keeps_position = {};
+  const Diagnostic at_head = testing::refusal_of([&] {
+    run("G54 G17 G710 G90 G94\nCYCLE800()\nG0 X0 Y0 Z60\nT1\nM6\nD1\nS500 M3\nG0 X0 Y0 Z60\nG1 X5 F100\nM30\n", job);
+  });
+  CHECK(at_head.message.find("A, B, C stands is not known after CYCLE800() in line 2") != std::string::npos);
+  job = kept_over_changes("siemens");
   CHECK(code_of("CYCLE800()\n" + program + "M30\n", job) == "compensate-position-unknown");
 }

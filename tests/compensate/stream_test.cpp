@@ -291,7 +291,7 @@ TEST_CASE("a tool without a mass is warned of, with the error per kg") {
   tool.number = 1;
   tool.length_mm = 80;
   job.program.tools = nc::ToolTable({tool});
-  const std::string text = "T1 M6\nG43 H1\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\nM2\n";
+  const std::string text = "G21\nT1 M6\nG43 H1\nG0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\nM2\n";
   const compensate::Summary summary = run(text, job).summary;
   REQUIRE(summary.warnings.size() == 1);
   CHECK(summary.warnings[0].code == "compensate-tool-mass");
@@ -307,7 +307,7 @@ TEST_CASE("what the model has and the correction leaves out is warned of") {
                                        "\n[[effect]]\nname = \"servo-lag\"\nlag_ms = 5\n"
                                        "\n[[effect]]\nname = \"thermal-drift\"\nrate_K_h = [1, 1, 1, 1, 1, 1]\n",
                                    "model.toml");
-  const std::string program = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\nM2\n";
+  const std::string program = "G21 G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\nM2\n";
   const auto codes = [&] {
     std::vector<std::string> found;
     for (const Diagnostic& warning : run(program, job).summary.warnings) found.push_back(warning.code);
@@ -326,7 +326,7 @@ TEST_CASE("a program without an end is warned of") {
     for (const Diagnostic& warning : run(text, Job{}).summary.warnings) found.push_back(warning.code);
     return found;
   };
-  const std::string moves = "G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\n";
+  const std::string moves = "G21 G0 X0 Y0 Z0 A0 B0 C0\nG1 X5 F100\n";
   CHECK(codes(moves + "M2\n").empty());
   CHECK(codes(moves + "m30 (done)\n\n(more)\n").empty());
   CHECK(codes("%\n" + moves + "%\n").empty());

@@ -91,6 +91,24 @@ TEST_CASE("Siemens: CYCLE800 turns the tool, and what follows is corrected on it
   CHECK(left_um(text, result.text, job) < 0.5);
 }
 
+TEST_CASE("Siemens: CYCLE800 with zeros and a direction turns the tool upright, and A, B and C are corrected there") {
+  const std::string text =
+      "G54 G17 G90 G71 G94\nD1\nG0 X0 Y0 Z60 A0 B0 C0\nCYCLE800(1,\"TABLE\",0,57,0,0,0,8,-10,0,0,0,0,-1)\nG0 X5 Y5 "
+      "Z20\nG1 Z-1 F600\nG0 Z40\nCYCLE800(1,\"TABLE\",0,57,0,0,0,0,0,0,0,0,0,-1)\nG0 X0 Y0\nZ40\nG1 X20 F600\nG0 Z60\n"
+      "CYCLE800()\nM30\n";
+  for (const nc::FreeRotation free : {nc::FreeRotation::c_stays, nc::FreeRotation::c_zero}) {
+    const Job job = heavy_tool_job("siemens", free);
+    const Result result = run(text, job);
+    INFO(result.text);
+    CHECK_FALSE(turns_in_plane(result.text, "8,-10,0,0,0,0,-1)\n", "CYCLE800(1,\"TABLE\",0,57,0,0,0,0"));
+    CHECK(turns_in_plane(result.text, "0,0,0,0,0,0,0,0,0,-1)\n", "CYCLE800()"));
+    CHECK(left_um(text, result.text, job) < 0.5);
+  }
+  const Diagnostic refused =
+      testing::refusal_of([&] { run(text, heavy_tool_job("siemens", nc::FreeRotation::unknown)); });
+  CHECK(refused.code == "nc-tilted-plane");
+}
+
 TEST_CASE("where a stop lost C, the help names the option that says that it stays") {
   const std::string plane = "G68.2 X0. Y0. Z0. I0. J10. K0.\nG53.1\nG0 X0. Y0. Z20.\nG1 Z0. F500.\nG69\nM30\n";
   Job job = heavy_tool_job("fanuc", nc::FreeRotation::c_stays);

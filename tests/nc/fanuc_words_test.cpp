@@ -178,3 +178,38 @@ TEST_CASE("K beside Q repeats a hole where it is one step after the other") {
   CHECK(code_behind("G83 X5. Y0 Z-5. R2. Q1. F100. K1\nG80\nM30\n").empty());
   CHECK(code_behind("G81 X5. Y0 Z-5. R2. F100. K3\nG80\nM30\n").empty());
 }
+
+TEST_CASE("the control stops at a way home while a drilling cycle is in force") {
+  const std::string hole = "G81 X1. Y1. Z-4. R5. F100.\n";
+  for (const char* const home : {"G91 G28 X0\n", "G30 P2 Y0\n", "G28 Z30.\n", "X2.\nG91 G28 Z0\n", "M8 G28 A0\n"}) {
+    INFO(home);
+    CHECK(code_behind(hole + home + "M30\n") == "nc-not-interpreted");
+    CHECK(code_behind(hole + "G80\n" + home + "M30\n").empty());
+  }
+  CHECK(code_behind(hole + "G80 G91 G28 Z0\nM30\n").empty());
+  CHECK(code_behind(hole + "G0 G91 G28 Z0\nM30\n").empty());
+  CHECK(code_behind(hole + "G0 Z9.\nG28 Z9.\nM30\n").empty());
+}
+
+TEST_CASE("nothing moves between M29 and the tap that it is for") {
+  const std::string tap = "G84 X5. Y5. Z-5. R2. F500.\n";
+  CHECK(code_behind("M29 S500\n" + tap + "X7.\nG80\nM30\n").empty());
+  CHECK(code_behind("M29 S500\nG99 G74 X5. Z-5. R2. F500.\nG80\nG0 X1.\nM30\n").empty());
+  CHECK(code_behind("M29 S500\nG98 M8\n(tap)\n" + tap + "G80\nM30\n").empty());
+  CHECK(code_behind("M19\nG0 X1.\nM30\n").empty());
+  for (const char* const move : {"G0 X5.\n", "Z9.\n", "G1 Y1. F100.\n", "G81 X1. Y1. Z-4. R5. F100.\nG80\n"}) {
+    INFO(move);
+    CHECK(code_behind("M29 S500\n" + std::string(move) + tap + "M30\n") == "nc-not-interpreted");
+  }
+}
+
+TEST_CASE("brackets are five deep at most") {
+  CHECK(code_behind("G1 X[[[[[5.]]]]] F100.\nM30\n").empty());
+  CHECK(code_behind("#1=[[[[1]]]]+[[[[2]]]]\nX[#1] Y[[[[[2.]]]]]\nM30\n").empty());
+  CHECK(code_behind("#1=ABS[SQRT[ABS[[[4.]]]]]\nX#1\nM30\n").empty());
+  for (const char* const deep :
+       {"G1 X[[[[[[5.]]]]]] F100.\n", "#1=ABS[SQRT[ABS[[[[4.]]]]]]\n", "#1=SIN[[[ATAN[[[1.]],2.]]]]\n"}) {
+    INFO(deep);
+    CHECK(code_behind(std::string(deep) + "M30\n") == "nc-operator");
+  }
+}

@@ -145,5 +145,13 @@ TEST_CASE("OSP: / may stand behind the name of its block as well") {
 }
 
 TEST_CASE("OSP: G111 T changes the tool, as G116 does") {
-  check_osp({{"G15 H1 G0 X0 Y0 Z50\nG111 T1\nG56 H1 G0 X0 Y0 Z50\nG1 X5 F100\nM2\n", 0, 0}});
+  check_osp({{"G15 H1 G0 X0 Y0 Z50\nG111 T1\nG56 H1 G0 X0 Y0 Z50\nG1 X5 F100\nM2\n", 0, 0},
+             {"G15 H1 G0 X0 Y0 Z50\nG111 T1 Q2\nG56 H1 G0 X0 Y0 Z50\nG1 X5 F100\nM2\n", 0, 0}});
+}
+
+TEST_CASE("OSP: codes that call a program of the machine's owner are refused as such") {
+  for (const int code : {101, 105, 109, 112, 115, 117, 120}) {
+    const std::string text = "G15 H1 G0 X0 Y0 Z50\nG" + std::to_string(code) + " X5\nM2\n";
+    check_osp({{text.c_str(), 2, 1, "nc-not-interpreted", code < 110 ? "MODIN" : "CALL"}});
+  }
 }

@@ -193,6 +193,26 @@ TEST_CASE("swivel cycles that turn nothing leave the axes where nobody knows, ot
     CHECK(blocks.next()->known.empty());
     CHECK(blocks.next()->known == AxisSet{Axis::X});
   }
+  // With a direction, and where C stands said, the tool goes back to where it stands upright.
+  ProgramSettings stays = at_zero();
+  stays.free_rotation = FreeRotation::c_stays;
+  for (const char* const line : {"CYCLE800(0,\"\",0,27,0,0,0,0,0,0,0,0,0,1)",
+                                 "N7 CYCLE800(1,\"TC1\",100000,57,0,0,0,0,0,0,0,0,0,-1,100,1) ; off"}) {
+    INFO(line);
+    const ProgramFile program(
+        fmt::format("G54 G0 X0 Y0 Z9 A0 B0 C7\nCYCLE800(1,\"\",0,57,0,0,0,5,3,0,0,0,0,1)\n{}\nG0 X1 A0 B0\n", line));
+    const InputFile file(program.path());
+    Program blocks(file, dialect("siemens"), stays);
+    blocks.next();
+    CHECK(blocks.next()->motions.back().to[Axis::A] != 0);
+    const Step& upright = *blocks.next();
+    CHECK(upright.known == AxisSet{Axis::A, Axis::B, Axis::C});
+    CHECK(upright.motions.back().to[Axis::A] == Approx(0).margin(1e-9));
+    CHECK(upright.motions.back().to[Axis::B] == Approx(0).margin(1e-9));
+    CHECK(upright.motions.back().to[Axis::C] == Approx(7));
+    CHECK_FALSE(upright.frame->tilted);
+    CHECK(blocks.next()->known.contains(Axis::X));
+  }
   check_refused({{"N1 CYCLE800(0,\"\",0,27,0,0,0,0,0,0,5,0,0,1)\n", 1, 35, "nc-tilted-plane"},
                  {"R1=5\nCYCLE800(0,,0,27,0,0,0,0,9,0,0,R1*2)\n", 2, 32, "nc-tilted-plane"},
                  {"CYCLE800(0,\"\",0,58,0,0,0,0,9,0,0,0,0,1)\n", 1, 17, "nc-tilted-plane"},

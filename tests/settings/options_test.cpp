@@ -58,6 +58,9 @@ TEST_CASE("M codes, switches and numbers are checked") {
   CHECK_THROWS_AS(with("pass", "M1.5"), OptionError);
   CHECK(with("block-delete", "on").program.block_delete == true);
   CHECK_THROWS_AS(with("block-delete", "yes"), OptionError);
+  CHECK(with("unit", "inch").program.inches == true);
+  CHECK(with("unit", "mm").program.inches == false);
+  CHECK_THROWS_WITH(with("unit", "cm"), "expected mm or inch");
   CHECK(with("tolerance", "0.5um").compensation.bound.tolerance_mm == Approx(0.0005));
   CHECK(with("tolerance", "0.002 mm").compensation.bound.tolerance_mm == Approx(0.002));
   for (const char* const text : {"0.5", "0um", "-1um", "20mm", "0.5 um/m", "um", "0,5um"}) {

@@ -70,7 +70,7 @@ void OutputCheck::take_block(const IntendedBatch& batch, const IntendedBlock& bl
   try {
     while (block.one_step ? steps_ == 0 : read_to_ < block.output_end) {
       if (next() == nullptr) differ("the output ends before it");
-      take_step();
+      if (!is_stamp()) take_step();
     }
     finish_block();
   } catch (Difference& difference) {
@@ -78,25 +78,23 @@ void OutputCheck::take_block(const IntendedBatch& batch, const IntendedBlock& bl
   }
 }
 
-// The next block of the output that the original is the reason for: the stamp and the guard are left out.
 const nc::Step* OutputCheck::next() {
-  do {
-    try {
-      step_ = program_.next();
-    } catch (const Refusal& refusal) {
-      output_line_ = refusal.diagnostic().place.line;
-      output_text_ = refusal.diagnostic().place.text;
-      differ(fmt::format("the output cannot be read, since {}", refusal.diagnostic().message));
-    }
-    if (step_ == nullptr) return nullptr;
-    const nc::Block& block = *step_->block;
-    read_to_ = block.offset + block.text.size() + block.line_end.size();
-    output_line_ = block.line;
-    ++figures_.output_blocks;
-  } while (is_stamp());
+  try {
+    step_ = program_.next();
+  } catch (const Refusal& refusal) {
+    output_line_ = refusal.diagnostic().place.line;
+    output_text_ = refusal.diagnostic().place.text;
+    differ(fmt::format("the output cannot be read, since {}", refusal.diagnostic().message));
+  }
+  if (step_ == nullptr) return nullptr;
+  const nc::Block& block = *step_->block;
+  read_to_ = block.offset + block.text.size() + block.line_end.size();
+  output_line_ = block.line;
+  ++figures_.output_blocks;
   return step_;
 }
 
+// A block of the stamp or the guard, for which the original is no reason.
 bool OutputCheck::is_stamp() {
   const nc::Block& block = *step_->block;
   const std::size_t lines = emit_.stamp.size();
@@ -152,6 +150,7 @@ void OutputCheck::finish_block() {
 
 void OutputCheck::finish() {
   while (next() != nullptr) {
+    if (is_stamp()) continue;
     read_effects_.clear();
     if (step_->block->kind != nc::LineKind::ignored) append_effects(*step_, dialect_, read_effects_);
     const bool nothing = std::all_of(read_effects_.begin(), read_effects_.end(),

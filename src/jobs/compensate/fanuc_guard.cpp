@@ -90,6 +90,11 @@ class FanucGuard {
 }  // namespace
 
 std::vector<std::string> fanuc_guard(const nc::ProgramSettings& program, AxisSet assumed, const nc::Dialect& dialect) {
+  if (program.inches.value_or(false)) {
+    refuse("guard-unit",
+           "the guard compares offsets in mm and has the control begin in G21, and this program begins in inches",
+           "write G20 into the program before its first move and leave --unit out, or leave --guard out");
+  }
   FanucGuard guard(dialect);
   guard.check_start();
   for (std::size_t i = 0; i < program.work_offsets.size(); ++i) {

@@ -17,7 +17,8 @@ namespace plumbline::jobs {
 /// rotation of each work system; the offset of each tool that it may use in the control's tool table. A difference of
 /// more than 0.001 mm or 0.001 deg shows a message and ends the program (M2). They move nothing and leave work system,
 /// G92 and G49 as the program was made for. Refuses with guard-dialect and guard-system where no source says how to ask
-/// the control, and guard-g92 where a G92 offset is in force of which not all values were given.
+/// the control, guard-g92 where a G92 offset is in force of which not all values were given, and guard-unit where a
+/// Fanuc control begins in inches.
 std::vector<std::string> guard_block(const nc::ProgramSettings& program, const compensate::ProgramSurvey& survey);
 
 /// Refuses with guard-definitions where the program begins with what nothing may stand before: DEF and PROC of Siemens.

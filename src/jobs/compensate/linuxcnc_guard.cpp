@@ -170,8 +170,9 @@ class LinuxCncGuard {
   std::vector<std::string> lines_;
 };
 
-void check_modes(LinuxCncGuard& guard, const compensate::Beginning& beginning) {
-  if (!beginning.states_unit) guard.check_mode("unit", "_metric", "G21");
+void check_modes(LinuxCncGuard& guard, const nc::ProgramSettings& program, const compensate::Beginning& beginning) {
+  const bool inches = program.inches.value_or(false);
+  if (!beginning.states_unit) guard.check_mode("unit", inches ? "_imperial" : "_metric", inches ? "G20" : "G21");
   if (!beginning.states_distance) guard.check_mode("distance", "_absolute", "G90");
   if (!beginning.states_feed_mode) guard.check_mode("feed", "_units_per_minute", "G94");
 }
@@ -198,7 +199,7 @@ std::vector<std::string> linuxcnc_guard(const nc::ProgramSettings& program, cons
   const std::size_t system = active_system(program);
   LinuxCncGuard guard(in_force);
   guard.check_start(system);
-  check_modes(guard, survey.beginning);
+  check_modes(guard, program, survey.beginning);
   if (program.tool_in_spindle) guard.check_tool_in_spindle(*program.tool_in_spindle);
   check_positions(guard, program, survey);
   guard.set_g92(false);

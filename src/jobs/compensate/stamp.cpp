@@ -55,6 +55,7 @@ std::string settings_line(const settings::Options& options) {
                                  c.friction ? "on" : "off", points_text(c), to_decimal(options.emit.time_tolerance));
   if (c.dynamic) line += ", dynamic";
   if (c.time_s) line += fmt::format(", at {} s", to_decimal(*c.time_s));
+  if (options.program.inches) line += fmt::format(", unit at the start {}", *options.program.inches ? "inch" : "mm");
   if (options.program.calculator_type)
     line += fmt::format(", calculator type {}", *options.program.calculator_type ? "on" : "off");
   if (options.program.input_increment)

@@ -1,5 +1,7 @@
 #include "jobs/program/program_dialect.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,16 +35,23 @@ const nc::Dialect& dialect_of(const settings::Options& options, const InputFile&
   for (const settings::NamedSystem& system : options.offset_systems) {
     if (dialect.system_of_name(system.name) != system.number) refuse_system(system, dialect, program.name());
   }
-  if (options.program.input_increment && dialect.behaviour.increment_mm == 0) {
-    refuse("settings-input-increment", fmt::format("numbers without a point count mm and deg for {}", dialect.name),
-           "leave --input-increment (input_increment of the settings) out; --dialect names another control",
+  const auto refuse_setting = [&](std::string_view code, std::string_view name, const std::string& why) {
+    std::string key(name);
+    std::replace(key.begin(), key.end(), '-', '_');
+    refuse(code, why, fmt::format("leave --{} ({} of the settings) out; --dialect names another control", name, key),
            {program.name(), 0});
+  };
+  const nc::ControlBehaviour& behaviour = dialect.behaviour;
+  const std::string counts_mm = fmt::format("numbers without a point count mm and deg for {}", dialect.name);
+  const bool counts_units = behaviour.increment_mm == 0 || behaviour.increment_mm == 1;
+  if (options.program.input_increment && behaviour.increment_mm == 0) {
+    refuse_setting("settings-input-increment", "input-increment", counts_mm);
   }
-  const bool counts_units = dialect.behaviour.increment_mm == 0 || dialect.behaviour.increment_mm == 1;
   if (options.program.calculator_type && counts_units) {
-    refuse("settings-calculator-type", fmt::format("numbers without a point count mm and deg for {}", dialect.name),
-           "leave --calculator-type (calculator_type of the settings) out; --dialect names another control",
-           {program.name(), 0});
+    refuse_setting("settings-calculator-type", "calculator-type", counts_mm);
+  }
+  if (options.program.inches && !behaviour.unit_set_at_start) {
+    refuse_setting("settings-unit", "unit", fmt::format("programs for {} that state no unit are in mm", dialect.name));
   }
   return dialect;
 }

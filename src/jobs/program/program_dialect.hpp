@@ -9,7 +9,8 @@ namespace plumbline::jobs {
 
 /// Refuses with file-empty and file-not-text what is no program at all, with nc-unknown-dialect or
 /// nc-dialect-ambiguous, and with settings-work-system where a work offset was given for a system that the dialect does
-/// not have, settings-input-increment and settings-calculator-type where its numbers need no point.
+/// not have, settings-input-increment and settings-calculator-type where its numbers need no point, settings-unit where
+/// its programs that state no unit are in mm.
 const nc::Dialect& dialect_of(const settings::Options& options, const InputFile& program);
 
 }  // namespace plumbline::jobs

@@ -5,6 +5,7 @@
 
 #include "base/text/characters.hpp"
 #include "nc/control/execution.hpp"
+#include "nc/control/families/cycle_codes.hpp"
 #include "nc/control/parameters/expression.hpp"
 #include "nc/language/codes.hpp"
 
@@ -62,6 +63,7 @@ bool is_rapid_of_machine(const Execution& run) {
 
 // The feed stays what it is in mm/min; F of a rotary move stays what was written [LinuxCNC, measured].
 void change_unit(Execution& run, const Word& code, bool inches) {
+  run.control.modal.unit_stated = true;
   if (run.control.modal.inches == inches) return;
   if (run.dialect.behaviour.unit_change_length_unknown && run.control.frame.tool != AxisWords{}) {
     run.refuse(code, codes::kNotInterpreted,
@@ -128,7 +130,10 @@ void check_main_spindle(const Execution& run, const Word& word) {
 
 void act_on_spindle(Execution& run, const Chosen& chosen) {
   if (chosen.row->action == Action::main_spindle) check_main_spindle(run, *chosen.word);
-  if (chosen.row->action == Action::position_spindle) run.control.turn_spindle(kSpindleStands);
+  if (chosen.row->action == Action::position_spindle) {
+    run.control.turn_spindle(kSpindleStands);
+    run.control.rigid_tap_due = chosen.row->value == kTapping;
+  }
   if (chosen.row->action == Action::speed_limit) run.control.speed_limited = true;
 }
 

@@ -76,6 +76,7 @@ inline constexpr Key<bool ControlBehaviour::*> kHabitFlags[] = {
     {"starts_with_stops", &ControlBehaviour::starts_with_stops},
     {"cycles_exact_path", &ControlBehaviour::cycles_exact_path},
     {"length_set_at_start", &ControlBehaviour::length_set_at_start},
+    {"unit_set_at_start", &ControlBehaviour::unit_set_at_start},
     {"bare_motion_code_is_mode", &ControlBehaviour::bare_motion_code_is_mode},
     {"bare_home_loses_position", &ControlBehaviour::bare_home_loses_position},
     {"rapid_before_codes", &ControlBehaviour::rapid_before_codes},

@@ -77,3 +77,12 @@ TEST_CASE("many blocks that write nothing do not stop the read-back of other con
              "O1\nG21\n" + begin + "M98 P50002\nG1 X5. F100.\nM98 P30003\nM30\nO2\nM99\nO3\nM98 P90002\nM99\n");
   check_ends("siemens", begin + "R1=0\nLOOP:\nR1=R1+1\nIF R1<9000 GOTOB LOOP\nG1 X5 F100\nR1=0\nM30\n");
 }
+
+TEST_CASE("a first block that writes nothing is not held against the block behind the comments that mark the output") {
+  for (const std::string first : {"M70\n", "M71\n", "M73\n", "(MSG, a)\nM70\n"}) {
+    for (const std::string next : {"G20 G91\n", "G19\nG17\n", "M8\n", "G61\n", "(MSG, b)\n", "G55\nG54\n"}) {
+      check_ends("linuxcnc",
+                 first + next + "G90 G21\nG0 X0 Y0 Z50 A0 B0 C0\no1 repeat [2]\nG1 X1 F100\no1 endrepeat\nM2\n");
+    }
+  }
+}

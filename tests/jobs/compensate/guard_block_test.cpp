@@ -241,6 +241,11 @@ TEST_CASE("a guard is refused where it cannot be said") {
   CHECK(testing::refusal_of([&] {
           jobs::guard_block(beyond, {nc::dialect("fanuc"), AxisSet::all()});
         }).code == "guard-system");
+  nc::ProgramSettings in_inches;
+  in_inches.inches = true;
+  CHECK(testing::refusal_of([&] {
+          jobs::guard_block(in_inches, {nc::dialect("fanuc"), AxisSet::all()});
+        }).code == "guard-unit");
   nc::ProgramSettings with_g92;
   with_g92.variables = {{5210, 1}, {5211, 3}};
   CHECK(testing::refusal_of([&] {

@@ -189,6 +189,10 @@ TEST_CASE("LinuxCNC: a guard compares the modes that the program does not state 
     CHECK(passes(program, "G91"));
     CHECK(passes(program, "G93"));
   }
+  nc::ProgramSettings in_inches = given();
+  in_inches.inches = true;
+  CHECK(run("G90 G94\n" + move, in_inches, {.blocks = "G20 G90 G94\n"}).passed);
+  CHECK_FALSE(run("G90 G94\n" + move, in_inches, {.blocks = "G21 G90 G94\n"}).passed);
 }
 
 TEST_CASE("LinuxCNC: a guard compares the start that was given, where the first move does not reach it by itself") {

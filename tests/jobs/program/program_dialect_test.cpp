@@ -73,6 +73,15 @@ TEST_CASE("an input increment is refused where numbers need no point") {
   CHECK(chosen(options, kOfAnyControl) == "fanuc");
 }
 
+TEST_CASE("a unit at the start is refused where none but mm is read of programs that state none") {
+  for (const std::string control : {"linuxcnc", "fanuc", "okuma", "siemens"}) {
+    INFO(control);
+    settings::Options options = said(control);
+    options.program.inches = true;
+    CHECK(chosen(options, kOfAnyControl) == (control == "linuxcnc" || control == "fanuc" ? control : "settings-unit"));
+  }
+}
+
 TEST_CASE("a calculator type is refused where numbers count mm and deg") {
   for (const bool on : {false, true}) {
     for (const std::string control : {"linuxcnc", "siemens", "okuma"}) {

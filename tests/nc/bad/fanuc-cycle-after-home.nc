@@ -1,4 +1,4 @@
-(expect: nc-not-interpreted 7 1 dialect: fanuc)
+(expect: nc-not-interpreted 6 1 dialect: fanuc)
 G10 L10 P1 R100.
 G90 G54 G0 X0 Y0
 G43 H1 Z50.

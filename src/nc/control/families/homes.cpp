@@ -1,4 +1,5 @@
 // G28 and G30: through a point to a stored position; G28.1 and G30.1 store it. G20 HP=4 of the OSP.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -57,10 +58,24 @@ double end_at_home(const Execution& run, Axis axis, const Home& home, double end
                     known ? std::optional(control.position[axis]) : std::nullopt);
 }
 
+// Alarm PS0044: G27 to G30 are not allowed in a canned cycle.
+void check_no_cycle(const Execution& run) {
+  const CodeRow* const mode = run.control.motion_row;
+  const bool drills = mode != nullptr && mode->action == Action::cycle;
+  if (!drills || run.dialect.syntax.statements != Statements::macro_b) return;
+  const bool ends = std::any_of(run.chosen.begin(), run.chosen.end(), [&](const Chosen& code) {
+    return code.word->letter == 'G' && code.row->group == mode->group;
+  });
+  if (ends) return;
+  run.refuse(run.first_word(), codes::kNotInterpreted,
+             "the control stops at a way home while a drilling cycle is in force", "write G80 before it");
+}
+
 }  // namespace
 
 void go_home(Execution& run, int which) {
   Control& control = run.control;
+  check_no_cycle(run);
   check_tool_unit(run, run.first_word());
   check_no_rotary_words(run);
   const bool takes_number = (run.chosen_row(Action::go_home)->word_mask & letter_bit('P')) != 0;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "nc/control/execution.hpp"
+#include "nc/control/families/cycle_codes.hpp"
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
@@ -52,6 +53,17 @@ void check_ends_cycle(const Execution& run, Action action, const Word& word) {
              "write G80 (which stops the spindle) or a block with G0 before it");
 }
 
+// Alarm PS0204: an axis moves between M29 and the G84 or G74 that it is for.
+void check_after_rigid_code(Execution& run) {
+  const bool taps = run.motion->action == Action::cycle && is_tap(run.motion->value);
+  if (run.control.rigid_tap_due && !taps && !run.axes.empty()) {
+    run.refuse(run.first_word(), codes::kNotInterpreted,
+               "the control stops where an axis moves between M29 and its G84",
+               "write M29 right before the block of G84 or G74, and moves before it");
+  }
+  if (taps) run.control.rigid_tap_due = false;
+}
+
 }  // namespace
 
 void state_motion_mode(Execution& run, const Chosen& chosen) {
@@ -84,6 +96,7 @@ void end_motion(Execution& run) {
 void make_motion(Execution& run) {
   const Action action = run.motion->action;
   check_offsets_of_motion(run);
+  check_after_rigid_code(run);
   begin_after_turn(run);
   if (action == Action::cycle) return move_in_cycle(run);
   check_ends_cycle(run, action, run.motion_code());

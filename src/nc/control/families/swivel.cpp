@@ -27,11 +27,17 @@ class Swivel {
  public:
   Swivel(Execution& run, const Chosen& chosen) : run_(run), name_(chosen.row->name), word_(*chosen.word) {}
 
-  bool is_reset() const {
+  // No shift and no angle: the end of a plane, or the way back to where the tool stands upright.
+  bool is_level() const {
     for (std::size_t i = kFirstShift; i < kWay; ++i) {
       if (value(i) != 0) return false;
     }
     return true;
+  }
+
+  bool goes_upright() const {
+    const double way = value(kWay);
+    return std::abs(way) == 1 && record() != "\"0\"" && value(kStatus) != 1;
   }
 
   // Of calls that end a plane as well.
@@ -129,16 +135,34 @@ class Swivel {
   const Word& word_;
 };
 
+// Whether it is known where A, B and C stand when the tool is upright.
+bool knows_upright(const Execution& run) {
+  const Control& control = run.control;
+  const FreeRotation free = run.settings.free_rotation;
+  const bool stays =
+      free == FreeRotation::c_stays || (free == FreeRotation::unknown && run.settings.as_with_empty_tables);
+  if (control.frame.rotation_deg != 0 || control.modal.plane != Plane::xy) return false;
+  if (stays) return control.known.contains(Axis::C);
+  return free == FreeRotation::c_zero && control.frame.origin[Axis::C] == 0;
+}
+
+// Posts turn the tool back by angles of zero and a direction; CYCLE800() alone ends the plane [P setWorkPlane].
+void turn_upright(Execution& run, const Chosen& chosen) {
+  begin_tilted_plane(run, *chosen.word, {}, kNoTurn);
+  turn_tool_on_plane(run, *chosen.word);
+  end_tilted_plane(run);
+}
+
 }  // namespace
 
 // CYCLE800() and the like end the plane; where the axes go then, the machine's own data say.
 void swivel(Execution& run, const Chosen& chosen) {
   const Swivel call(run, chosen);
   call.check_context();
-  if (call.is_reset()) {
+  if (call.is_level()) {
     end_tilted_plane(run);
     run.step.role = BlockRole::machine_move;
-    return lose_position(run, AxisSet::all());
+    return call.goes_upright() && knows_upright(run) ? turn_upright(run, chosen) : lose_position(run, AxisSet::all());
   }
   call.check();
   const Turn plane = call.plane();

@@ -60,6 +60,8 @@ Control::Control(const Dialect& dialect, const ProgramSettings& settings)
     if (row.action == Action::work_system) modal.work_system = row.value;
   }
   modal.rotary = settings.rotary;
+  modal.inches = settings.inches.value_or(false);
+  modal.unit_stated = settings.inches.has_value();
   if (dialect.behaviour.no_work_system_at_start) modal.work_system = 0;
   if (dialect.syntax.statements == Statements::user_task) parameters.watch_names();
   if (dialect.syntax.declared) parameters.keep_names_apart();

@@ -131,6 +131,7 @@ struct Control {
   bool edge_of_selected = false;           // D took the length of T while no tool was known in the spindle,
   bool moved_on_selected = false;          // and moves were made with it
   double spindle_speed = 0;
+  bool rigid_tap_due = false;  // M29 of a Fanuc, before its G84
   bool spindle_told = false;   // by M3 to M5: before, the program may be a part of another
   bool speed_limited = false;  // LIMS
   double feed_kept = 0;        // number of the F that G93 found in force, until a move has its own; then no number

@@ -40,6 +40,7 @@ struct Modal {
   PathControl path_control = PathControl::continuous;
   bool path_stated = false;          // by the program
   bool length_stated = false;        // of the tool, or that it has none, by the program
+  bool unit_stated = false;          // by the program or --unit
   bool inches = false;               // G20
   bool incremental = false;          // G91
   bool arc_centre_absolute = false;  // G90.1

@@ -70,8 +70,8 @@ constexpr std::array<std::string_view, kAxes> kPositions{"_x", "_y", "_z", "_a",
 constexpr std::array<std::string_view, kAxes> kMachinePositions{"_abs_x", "_abs_y", "_abs_z",
                                                                 "_abs_a", "_abs_b", "_abs_c"};
 // What the control alone does not hold.
-constexpr std::array<std::string_view, 7> kOthers{"_line",          "_call_level", "_motion_mode",   "_current_tool",
-                                                  "_selected_tool", "_value",      "_value_returned"};
+constexpr std::array<std::string_view, 8> kOthers{"_line",          "_call_level", "_motion_mode",    "_current_tool",
+                                                  "_selected_tool", "_value",      "_value_returned", "_task"};
 
 std::optional<Axis> axis_named(const std::array<std::string_view, kAxes>& names, std::string_view plain) {
   const auto* const at = std::find(names.begin(), names.end(), plain);

@@ -40,6 +40,7 @@ struct ProgramSettings {
   RotaryRules rotary{};                            // --rotary, of A, B and C
   RotationOrder rotation_order{2, 1, 0};           // how A, B and C compose: of the machine's model
   FreeRotation free_rotation{};                    // --free-rotation, where a direction of the tool leaves C open
+  std::optional<bool> inches;                      // --unit: what is in force at the start
   std::optional<bool> calculator_type;             // --calculator-type: a number without a point counts units
   std::optional<double> input_increment;           // --input-increment: what it counts, mm and deg
   double upright_deg = 0.1;                        // A and B below: of a correction, not of the program

@@ -18,6 +18,7 @@ struct BlockReading {
   const Syntax* syntax;
   TokenCursor cursor;
   BlockBuilder out;
+  int brackets = 0;  // that are open
 };
 
 /// token() is ( of a comment that may hold anything: it is added, and reading goes on after its ).

@@ -90,10 +90,30 @@ ValueKind open_value(BlockReading& in) {
   in.cursor.refuse(open, codes::kBracketOpen, "the bracket [ is not closed", "add the missing ]");
 }
 
+// More of them, those of functions among them, are alarm PS0118 of a Fanuc.
+class OpenBracket {
+ public:
+  OpenBracket(BlockReading& in, Span open) : in_(in) {
+    constexpr int kMost = 5;
+    if (++in.brackets <= kMost || in.syntax->statements != Statements::macro_b) return;
+    in.cursor.refuse(open, codes::kOperator, "the control takes brackets that are five deep, and no deeper",
+                     "work out what the inner brackets hold in a block before, into a variable");
+  }
+  ~OpenBracket() { --in_.brackets; }
+  OpenBracket(OpenBracket&&) = delete;
+  OpenBracket& operator=(OpenBracket&&) = delete;
+  OpenBracket(const OpenBracket&) = delete;
+  OpenBracket& operator=(const OpenBracket&) = delete;
+
+ private:
+  BlockReading& in_;
+};
+
 // expression = "[" , real value , { operation , real value } , "]"; token() is the [
 ValueKind expression(BlockReading& in) {
   TokenCursor& cursor = in.cursor;
   const Span open = cursor.span();
+  const OpenBracket bracket(in, open);
   const ValueKind kind = open_value(in);
   if (cursor.is(TokenKind::end)) refuse_open_bracket(in, open);
   if (!cursor.is(TokenKind::close)) {
@@ -168,6 +188,7 @@ void macro_arc_tangent(BlockReading& in, Span span) {
     cursor.refuse(span, codes::kFunction, "a function needs its argument in brackets", "write ATAN[y]/[x]");
   }
   const Span open = cursor.span();
+  const OpenBracket bracket(in, open);
   need_number(in, open_value(in), span);
   if (cursor.is(TokenKind::bad) && *cursor.token().begin == ',') {
     cursor.pass();
