@@ -48,6 +48,23 @@ TEST_CASE("drilling cycles of a SINUMERIK become moves, and what calls them afte
   }
 }
 
+TEST_CASE("a dwell of a cycle in turns of the spindle stays one where its hole is written out") {
+  const Job job = siemens_job();
+  for (const auto& [cycle, dwell] : {std::pair<std::string, std::string>{"CYCLE82(10,0,2,-5,,-2)\n", "S2"},
+                                     {"MCALL CYCLE82(10,0,2,-5,,-2.5)\nX5\nMCALL\n", "S2.5"},
+                                     {"X3\nMCALL CYCLE89(10,0,2,-5,,-3)\nX5\nX7\nMCALL\n", "S3"},
+                                     {"CYCLE82(10,0,2,-5,,0.24)\n", "F0.24"}}) {
+    const std::string whole = kDrillStart + cycle + "G0 Z30\nM30\n";
+    const Result result = run(whole, job);
+    INFO(result.text);
+    const std::size_t dwells =
+        count_of(result.text, "\nG4" + dwell + "\n") + count_of(result.text, "\nG4 " + dwell + "\n");
+    CHECK(dwells == (cycle.find("X7") == std::string::npos ? 1 : 2));
+    CHECK(count_of(result.text, "G4") == dwells);
+    CHECK(play(whole, result.text, job).time_change <= 1e-3);
+  }
+}
+
 TEST_CASE("cycles that peck or work the spindle are called hole by hole, with their levels shifted") {
   Job job = siemens_job();
   for (const std::string part : {"MCALL CYCLE84(10,0,2,-8,,0,3,,1.25,0,400,400)\nX10 Y5\nX20\nMCALL\nG1 X0 F400\n",

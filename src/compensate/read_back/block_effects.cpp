@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -104,9 +103,11 @@ void append_words(const nc::Block& block, const nc::Dialect& dialect, const nc::
 std::string with_passed_values(const nc::Step& step, const nc::Word& word) {
   std::string text(step.block->at(word.span));
   if (step.passed == nullptr) return text;
-  for (const nc::PassedValue& value : std::views::reverse(*step.passed)) {
-    if (value.span.begin < word.span.begin || value.span.end > word.span.end) continue;
-    text.replace(value.span.begin - word.span.begin, value.span.end - value.span.begin, value.text);
+  // the last first: then the places of the others stay
+  for (auto value = step.passed->rbegin(); value != step.passed->rend(); ++value) {
+    const nc::Span at = value->span;
+    if (at.begin < word.span.begin || at.end > word.span.end) continue;
+    text.replace(at.begin - word.span.begin, at.end - at.begin, value->text);
   }
   return text;
 }
@@ -159,6 +160,8 @@ void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vecto
   if (block.kind == nc::LineKind::percent) effects.push_back({.text = "%"});
   if (nc::returns_from_file(step)) effects.push_back({.text = upper(block.at(block.flow.span))});
   const std::size_t before_words = effects.size();
+  const bool waits = step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell;
+  const bool speed_is_time = waits && dialect.behaviour.dwell_takes_words;  // G4 S3: for three turns
   for (const nc::Word& word : block.words) {
     switch (word.letter) {
       case 'G':
@@ -173,7 +176,7 @@ void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vecto
         break;
       }
       case 'S':
-        append_value(word, dialect.speed_row, effects);
+        if (!speed_is_time) append_value(word, dialect.speed_row, effects);
         break;
       case 'T':
         append_value(word, dialect.tool_row, effects);

@@ -312,14 +312,14 @@ void CalledHole::go_beside(double first_mm, double second_mm, double level) {
 
 void CalledHole::wait(double seconds) {
   if (seconds == 0) return;
-  const bool turns = seconds < 0;
-  if (turns && control_.spindle_stands())
+  const double turns = std::max(-seconds, 0.0);
+  if (turns > 0 && control_.spindle_stands())
     given_.refuse("a dwell in turns needs a turning spindle", "write S and M3 before");
-  Motion motion;
-  motion.kind = MotionKind::dwell;
+  Motion motion{.kind = MotionKind::dwell};
   motion.to = control_.position;
   motion.known_after = control_.known;
-  motion.dwell_s = turns ? -seconds / control_.spindle_speed * 60 : seconds;
+  motion.dwell_s = turns > 0 ? turns / control_.spindle_speed * 60 : seconds;
+  motion.dwell_turns = turns;
   add_motion(run_, motion);
 }
 

@@ -51,6 +51,7 @@ struct Motion {
                            // per_revolution: mm/rev. 0: no feed in force
   double mm_per_unit = 1;  // the program's length unit at this move: 25.4 under G20
   double dwell_s = 0;      // dwell only
+  double dwell_turns = 0;  // of a cycle: what it waits for, in turns of the spindle; 0: seconds
   FeedRule feed_rule = FeedRule::unknown;  // which length its feed is the speed along
   bool feed_along_circle = false;          // of an arc: its circle alone, whatever else moves with it
   Arc arc;                                 // arc only

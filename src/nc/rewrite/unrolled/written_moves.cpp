@@ -214,7 +214,11 @@ void WrittenMoves::add_move(const Step& step, const Motion& motion) {
   if (dwells) {
     refuse_unknown_dwell(step, dialect_);
     append_code(own.text, codes_.dwell(), spelling_);
-    append_dwell(own.text, motion.dwell_s, codes_.dwell_letter(), dialect_, spelling_);
+    if (motion.dwell_turns > 0) {
+      append_word(own.text, 'S', motion.dwell_turns, kMostDecimals, spelling_);
+    } else {
+      append_dwell(own.text, motion.dwell_s, codes_.dwell_letter(), dialect_, spelling_);
+    }
   } else {
     mode_ = motion.kind == MotionKind::rapid ? MotionMode::rapid : MotionMode::feed;
     append_code(own.text, codes_.motion(mode_), spelling_);
