@@ -87,7 +87,8 @@ std::string SecondPass::differs(const Control& control, const ProgramSettings& s
   const bool returns = before_holes_.test(static_cast<std::size_t>(Action::retract_to_start)) ||
                        before_holes_.test(static_cast<std::size_t>(Action::retract_to_r));
   if (modal.incremental && !stated({Action::absolute, Action::incremental})) return "G91";
-  if (modal.inches && !stated({Action::inches, Action::millimetres})) return "G20";
+  if (modal.inches != settings.inches.value_or(false) && !stated({Action::inches, Action::millimetres}))
+    return modal.inches ? "G20" : "G21";
   if (modal.arc_centre_absolute && !stated({Action::arc_centre_absolute, Action::arc_centre_incremental}))
     return "G90.1";
   if (modal.plane != Plane::xy && !stated({Action::plane_xy, Action::plane_zx, Action::plane_yz})) return "G18 or G19";

@@ -47,3 +47,17 @@ TEST_CASE("a path control, a shift of some axes and a motion that are not stated
   check_again("", {"O1\nG52 X0 Y0\n" + first.substr(3) + "G52 X0 Y5.\nG0 X0 Y0\nG1 X5. F100.\nM99\n"});
   check_again("another motion", {"O1\nG90 G80 G54\nX0 Y0 Z20. A0 B0 C0\nG1 X5. F100.\nM99\n"});
 }
+
+TEST_CASE("a second pass begins in the unit that the control was in at the start, where none is stated") {
+  const std::string moves = "G90 G54 G0 X0 Y0 Z2. A0 B0 C0\nG0 X1.\nX0\n";
+  ProgramSettings in_inches = at_zero();
+  in_inches.inches = true;
+  const auto refused = [](const std::string& program, const ProgramSettings& settings) {
+    const std::optional<Diagnostic> refusal = refusal_of(program, settings, "fanuc");
+    return refusal ? refusal->message : std::string();
+  };
+  CHECK(refused("O1\n" + moves + "M99\n", in_inches).empty());
+  CHECK_THAT(refused("O1\n" + moves + "G21\nM99\n", in_inches), Catch::Contains("G21"));
+  CHECK_THAT(refused("O1\n" + moves + "G20\nM99\n", at_zero()), Catch::Contains("G20"));
+  CHECK(refused("O1\nG21\n" + moves + "G20\nM99\n", in_inches).empty());
+}
