@@ -182,7 +182,7 @@ TEST_CASE("variables that a block hands to the control have their values where t
        {std::array<std::string, 3>{"SPOS=R1*90", "SPOS=1*90\n", "SPOS=2*90\n"},
         {"G641 ADIS=CLOSE/R1", "ADIS=0.02/1\n", "ADIS=0.02/2\n"},
         {"CYCLE832(0.01,R1,1)", "CYCLE832(0.01,1,1)\n", "CYCLE832(0.01,2,1)\n"},
-        {"MSG(\"N \"<<R1<<\" of 2\")", "MSG(\"N 1 of 2\")\n", "MSG(\"N 2 of 2\")\n"}}) {
+        {R"(MSG("N "<<R1<<" of 2"))", "MSG(\"N 1 of 2\")\n", "MSG(\"N 2 of 2\")\n"}}) {
     INFO(passed);
     const std::string text = run(head + "WHILE R1<3\n" + passed + "\nG1 X=R1\nR1=R1+1\nENDWHILE\nM30\n", job).text;
     INFO(text);

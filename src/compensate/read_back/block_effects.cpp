@@ -104,10 +104,10 @@ std::string with_passed_values(const nc::Step& step, const nc::Word& word) {
   std::string text(step.block->at(word.span));
   if (step.passed == nullptr) return text;
   // the last first: then the places of the others stay
-  for (auto value = step.passed->rbegin(); value != step.passed->rend(); ++value) {
-    const nc::Span at = value->span;
-    if (at.begin < word.span.begin || at.end > word.span.end) continue;
-    text.replace(at.begin - word.span.begin, at.end - at.begin, value->text);
+  for (std::size_t i = step.passed->size(); i-- > 0;) {
+    const nc::PassedValue& value = (*step.passed)[i];
+    if (value.span.begin < word.span.begin || value.span.end > word.span.end) continue;
+    text.replace(value.span.begin - word.span.begin, value.span.end - value.span.begin, value.text);
   }
   return text;
 }
