@@ -222,7 +222,7 @@ bool Pipeline::is_corrected(const nc::Step& step) {
 }
 
 void Pipeline::copy_through(const nc::Step& step) {
-  rewriter_.copy(step, step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell);
+  rewriter_.copy(step, nc::dwells_alone(step));
   const bool moves = std::any_of(step.motions.begin(), step.motions.end(),
                                  [](const nc::Motion& motion) { return motion.kind != nc::MotionKind::dwell; });
   if (moves || step.loses_position) {  // to where nobody follows the machine

@@ -16,34 +16,36 @@
 #include "settings/output_name.hpp"
 
 namespace plumbline::settings {
+
+std::string key_of(std::string_view option) {
+  std::string key(option);
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 using Kind = TomlValue::Kind;
 
-std::string key_of(const OptionRow& row) {
-  std::string key(row.name);
-  std::replace(key.begin(), key.end(), '-', '_');
-  return key;
-}
-
 std::string list_of_keys() {
   std::string list;
-  for (const OptionRow& row : option_rows()) list += fmt::format("{}{}", list.empty() ? "" : ", ", key_of(row));
+  for (const OptionRow& row : option_rows()) list += fmt::format("{}{}", list.empty() ? "" : ", ", key_of(row.name));
   return list;
 }
 
 // "did you mean step_angle? "; empty where none is near.
-std::string nearest_key(std::string key) {
-  std::replace(key.begin(), key.end(), '-', '_');
+std::string nearest_key(std::string_view written) {
+  const std::string key = key_of(written);
   std::vector<std::string> keys{"machine", "machines"};
-  for (const OptionRow& row : option_rows()) keys.push_back(key_of(row));
+  for (const OptionRow& row : option_rows()) keys.push_back(key_of(row.name));
   return did_you_mean(key, {keys.begin(), keys.end()});
 }
 
 const OptionRow* row_of_key(std::string_view key) {
   const auto rows = option_rows();
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const OptionRow& row) { return key_of(row) == key; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const OptionRow& row) { return key_of(row.name) == key; });
   return found == rows.end() ? nullptr : &*found;
 }
 
@@ -116,7 +118,7 @@ class SettingsReader {
       try {
         set_option(options, *one.row, one.text);
       } catch (const OptionError& error) {  // each alone was tried before
-        refuse("settings-value", fmt::format("{}: {}", key_of(*one.row), error.what()),
+        refuse("settings-value", fmt::format("{}: {}", key_of(one.row->name), error.what()),
                "leave one of them out of the file", one.place);
       }
     }

@@ -29,6 +29,9 @@ struct SettingsFile {
   std::map<std::string, std::vector<StatedOption>> machines;  // what each states besides, or instead
 };
 
+/// How a settings file names this option: step-angle is step_angle there.
+std::string key_of(std::string_view option);
+
 /// Reads the file; paths in it count from its own folder. Refuses with toml-syntax, settings-kind, settings-key,
 /// settings-type or settings-value and the place, so too where it contradicts itself.
 SettingsFile read_settings_file(const std::string& path);

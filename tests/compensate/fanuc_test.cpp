@@ -42,9 +42,7 @@ TEST_CASE("a cut before the program says in which unit is warned of, and read in
     INFO(control);
     Job job = job_of_control(control);
     const auto warns = [&](const std::string& text) {
-      const std::vector<Diagnostic>& warnings = run(text, job).summary.warnings;
-      return std::count_if(warnings.begin(), warnings.end(),
-                           [](const Diagnostic& warning) { return warning.code == "compensate-unit-unstated"; });
+      return warnings_of(run(text, job).summary, "compensate-unit-unstated");
     };
     const std::string start = "G17 G90 G54 G94\nG0 X0. Y0. Z1. A0. B0. C0.\n";
     const std::string cut = "G1 X.5 F10.\nX1.\nM30\n";

@@ -13,11 +13,7 @@ namespace {
 
 const std::string kOspHeader = "O1\nG15 H1\nG90 G94 G0 X0 Y0 Z50. A0 B0 C0\n";
 
-bool warns_of_no_end(const Result& result) {
-  const auto& warnings = result.summary.warnings;
-  return std::any_of(warnings.begin(), warnings.end(),
-                     [](const Diagnostic& warning) { return warning.code == "compensate-no-end"; });
-}
+bool warns_of_no_end(const Result& result) { return warnings_of(result.summary, "compensate-no-end") > 0; }
 
 void check_end(const std::string& control, const std::string& text, const std::string& end) {
   const Result result = run(text, job_of_control(control));

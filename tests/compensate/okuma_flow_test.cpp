@@ -92,9 +92,7 @@ TEST_CASE("the number of a home position is written out without a point") {
 TEST_CASE("OSP: a cut before the program says which tool length is in force is warned of") {
   const Job job = job_of_control("okuma");
   const auto warns = [&](const std::string& text) {
-    const std::vector<Diagnostic>& warnings = run(text, job).summary.warnings;
-    return std::count_if(warnings.begin(), warnings.end(),
-                         [](const Diagnostic& warning) { return warning.code == "compensate-length-unstated"; });
+    return warnings_of(run(text, job).summary, "compensate-length-unstated");
   };
   const std::string start = "G15 H1\nG90 G94 G0 X0 Y0 Z50. A0 B0 C0\n";
   CHECK(warns(start + "G1 X5. F100\nX6.\nM2\n") == 1);

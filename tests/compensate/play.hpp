@@ -1,9 +1,12 @@
 // Whole programs, for tests: text in, text out, the output read again and played on the model.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -40,6 +43,12 @@ inline Job without_friction() {
   Job job;
   job.settings.friction = false;
   return job;
+}
+
+/// How many warnings of this code the summary has.
+inline std::ptrdiff_t warnings_of(const compensate::Summary& summary, std::string_view code) {
+  return std::count_if(summary.warnings.begin(), summary.warnings.end(),
+                       [&](const Diagnostic& warning) { return warning.code == code; });
 }
 
 /// A program for this control, under any work system, without friction.

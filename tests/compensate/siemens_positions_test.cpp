@@ -9,10 +9,7 @@ using namespace plumbline;
 
 namespace {
 
-bool warns_of_stops(const compensate::Summary& summary) {
-  return std::any_of(summary.warnings.begin(), summary.warnings.end(),
-                     [](const Diagnostic& warning) { return warning.code == "compensate-stops"; });
-}
+bool warns_of_stops(const compensate::Summary& summary) { return warnings_of(summary, "compensate-stops") > 0; }
 
 }  // namespace
 

@@ -42,10 +42,7 @@ compensate::Summary tallied(const std::string& text, const Job& job, int pieces 
   return tally.summary();
 }
 
-bool warns(const compensate::Summary& summary, std::string_view code) {
-  return std::any_of(summary.warnings.begin(), summary.warnings.end(),
-                     [&](const Diagnostic& warning) { return warning.code == code; });
-}
+bool warns(const compensate::Summary& summary, std::string_view code) { return warnings_of(summary, code) > 0; }
 
 }  // namespace
 
@@ -91,9 +88,7 @@ TEST_CASE("a length below zero is told once") {
   Job job = standing_at_zero();
   job.program.tools = nc::ToolTable({{.number = 1, .length_mm = -20}, {.number = 2, .length_mm = 20}});
   const auto told = [&](const std::string& text) {
-    const compensate::Summary summary = tallied("G21 G90 G94\n" + text + "M2\n", job);
-    return std::count_if(summary.warnings.begin(), summary.warnings.end(),
-                         [](const Diagnostic& warning) { return warning.code == "compensate-tool-length"; });
+    return warnings_of(tallied("G21 G90 G94\n" + text + "M2\n", job), "compensate-tool-length");
   };
   CHECK(told("G43 H1\nG0 X1 Z3\nG1 X2 F100\nG43 H2\nG0 X5 Z3\nG43 H1\nG0 Z3\n") == 1);
   CHECK(told("G43.1 Z-5\nG0 X1 Z3\n") == 1);

@@ -160,8 +160,7 @@ void append_effects(const nc::Step& step, const nc::Dialect& dialect, std::vecto
   if (block.kind == nc::LineKind::percent) effects.push_back({.text = "%"});
   if (nc::returns_from_file(step)) effects.push_back({.text = upper(block.at(block.flow.span))});
   const std::size_t before_words = effects.size();
-  const bool waits = step.motions.size() == 1 && step.motions.front().kind == nc::MotionKind::dwell;
-  const bool speed_is_time = waits && dialect.behaviour.dwell_takes_words;  // G4 S3: for three turns
+  const bool speed_is_time = nc::dwells_alone(step) && dialect.behaviour.dwell_takes_words;  // G4 S3: for three turns
   for (const nc::Word& word : block.words) {
     switch (word.letter) {
       case 'G':

@@ -1,6 +1,5 @@
 #include "jobs/program/program_dialect.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "base/diagnostic.hpp"
 #include "jobs/program/program_text.hpp"
 #include "nc/language/recognise.hpp"
+#include "settings/settings_file.hpp"
 
 namespace plumbline::jobs {
 namespace {
@@ -36,9 +36,9 @@ const nc::Dialect& dialect_of(const settings::Options& options, const InputFile&
     if (dialect.system_of_name(system.name) != system.number) refuse_system(system, dialect, program.name());
   }
   const auto refuse_setting = [&](std::string_view code, std::string_view name, const std::string& why) {
-    std::string key(name);
-    std::replace(key.begin(), key.end(), '-', '_');
-    refuse(code, why, fmt::format("leave --{} ({} of the settings) out; --dialect names another control", name, key),
+    refuse(code, why,
+           fmt::format("leave --{} ({} of the settings) out; --dialect names another control", name,
+                       settings::key_of(name)),
            {program.name(), 0});
   };
   const nc::ControlBehaviour& behaviour = dialect.behaviour;

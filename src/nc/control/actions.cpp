@@ -10,6 +10,13 @@
 #include "nc/language/codes.hpp"
 
 namespace plumbline::nc {
+
+bool sets_motion(const Execution& run) {
+  return std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& code) {
+    return code.row->group == kMotionGroup && code.row->action != Action::motion_off && code.word->letter != 'M';
+  });
+}
+
 namespace {
 
 // Modes that are one value each; false: the action is none of these.
@@ -47,13 +54,6 @@ bool set_mode(Modal& modal, Action action) {
     default:
       return false;
   }
-}
-
-// G0 G80 G91 G28 Z0: the mode is G0, whichever stands first.
-bool sets_motion(const Execution& run) {
-  return std::any_of(run.chosen.begin(), run.chosen.end(), [](const Chosen& code) {
-    return code.row->group == kMotionGroup && code.row->action != Action::motion_off && code.word->letter != 'M';
-  });
 }
 
 // G53 X0: a rapid whatever mode is in force, which it leaves alone.

@@ -123,6 +123,8 @@ void count_increments(const Execution& run, Block& block);
 /// What ROUND in the value of a word of this block rounds to.
 Rounding rounding_of(const Execution& run, const Block& block, const Word& word);
 
+/// Whether the block states a motion: G0 G80 G91 G28 Z0 states G0, whichever stands first.
+bool sets_motion(const Execution& run);
 /// Does what the code says, in its turn: actions.cpp
 void act(Execution& run, const Chosen& chosen);
 
@@ -184,7 +186,8 @@ void define_tilted_plane(Execution& run, const Chosen& chosen);  // tilted_plane
 void turn_tool(Execution& run, const Chosen& chosen);            // G53.1
 void turn_tool_on_plane(Execution& run, const Word& code);
 void end_tilted_plane(Execution& run);  // G69
-/// What C does where a direction leaves it open; refuses where no option says.
+/// What C does where a direction leaves it open; the second refuses where no option says.
+FreeRotation free_rotation(const Execution& run);
 FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code);
 /// What helps where C stays and its place is not known.
 inline constexpr std::string_view kWhereCStands =

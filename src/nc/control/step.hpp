@@ -168,5 +168,9 @@ struct Step {
 inline bool dwells_first(const Step& step) {
   return step.motions.size() > 1 && step.motions.front().kind == MotionKind::dwell;
 }
+/// G4 P1: the control waits, and that is all.
+inline bool dwells_alone(const Step& step) {
+  return step.motions.size() == 1 && step.motions.front().kind == MotionKind::dwell;
+}
 
 }  // namespace plumbline::nc

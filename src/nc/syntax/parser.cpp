@@ -6,7 +6,6 @@ namespace plumbline::nc {
 
 void Parser::parse(Block& block) {
   reading_.out.begin(block);
-  reading_.brackets = 0;
   reading_.cursor.begin(block, byte_order_mark_size(block));
   if (reading_.syntax->names) {
     named_.read(reading_);

@@ -1,5 +1,4 @@
 // G28 and G30: through a point to a stored position; G28.1 and G30.1 store it. G20 HP=4 of the OSP.
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -60,13 +59,9 @@ double end_at_home(const Execution& run, Axis axis, const Home& home, double end
 
 // Alarm PS0044: G27 to G30 are not allowed in a canned cycle.
 void check_no_cycle(const Execution& run) {
-  const CodeRow* const mode = run.control.motion_row;
-  const bool drills = mode != nullptr && mode->action == Action::cycle;
+  const bool drills = run.control.modal.motion == MotionMode::cycle;
   if (!drills || run.dialect.syntax.statements != Statements::macro_b) return;
-  const bool ends = std::any_of(run.chosen.begin(), run.chosen.end(), [&](const Chosen& code) {
-    return code.word->letter == 'G' && code.row->group == mode->group;
-  });
-  if (ends) return;
+  if (sets_motion(run) || run.chosen_row(Action::motion_off) != nullptr) return;
   run.refuse(run.first_word(), codes::kNotInterpreted,
              "the control stops at a way home while a drilling cycle is in force", "write G80 before it");
 }

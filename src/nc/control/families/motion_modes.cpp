@@ -46,7 +46,7 @@ void begin_after_turn(Execution& run) {
 // On an OSP G1 and a cycle are of different groups: whether the one ends the other was found in no source; posts write
 // G0 or G80.
 void check_ends_cycle(const Execution& run, Action action, const Word& word) {
-  const bool in_cycle = run.control.motion_row != nullptr && run.control.motion_row->action == Action::cycle;
+  const bool in_cycle = run.control.modal.motion == MotionMode::cycle;
   if (!run.dialect.behaviour.return_levels || !in_cycle || action == Action::rapid) return;
   run.refuse(word, codes::kNotInterpreted,
              "whether this ends the drilling cycle that is in force was found in no source",

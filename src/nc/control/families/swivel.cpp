@@ -138,11 +138,9 @@ class Swivel {
 // Whether it is known where A, B and C stand when the tool is upright.
 bool knows_upright(const Execution& run) {
   const Control& control = run.control;
-  const FreeRotation free = run.settings.free_rotation;
-  const bool stays =
-      free == FreeRotation::c_stays || (free == FreeRotation::unknown && run.settings.as_with_empty_tables);
   if (control.frame.rotation_deg != 0 || control.modal.plane != Plane::xy) return false;
-  if (stays) return control.known.contains(Axis::C);
+  const FreeRotation free = free_rotation(run);
+  if (free == FreeRotation::c_stays) return control.known.contains(Axis::C);
   return free == FreeRotation::c_zero && control.frame.origin[Axis::C] == 0;
 }
 

@@ -38,9 +38,7 @@ void check_bare_frame(const Execution& run, const Word& code) {
   if (control.frame.g92 != AxisWords{}) refuse_in_force("a shift by G92", "G92.1");
   if (control.local != AxisWords{}) refuse_in_force("a shift of the work system", "what ends it");
   if (control.feed_rule == FeedRule::tool_tip) refuse_in_force("tool center point control", "G49");
-  if (control.motion_row != nullptr && control.motion_row->action == Action::cycle) {
-    refuse_in_force("a drilling cycle", "G80");
-  }
+  if (control.modal.motion == MotionMode::cycle) refuse_in_force("a drilling cycle", "G80");
 }
 
 // Where X, Y and Z stand in the new system depends on how the control turns the tool.
@@ -52,10 +50,14 @@ RotationOrder order_of(const Execution& run) { return run.settings.rotation_orde
 
 }  // namespace
 
+FreeRotation free_rotation(const Execution& run) {
+  const FreeRotation said = run.settings.free_rotation;
+  return said == FreeRotation::unknown && run.settings.as_with_empty_tables ? FreeRotation::c_stays : said;
+}
+
 FreeRotation free_rotation(const Execution& run, const Word& word, std::string_view code) {
-  const FreeRotation free = run.settings.free_rotation;
+  const FreeRotation free = free_rotation(run);
   if (free != FreeRotation::unknown) return free;
-  if (run.settings.as_with_empty_tables) return FreeRotation::c_stays;
   run.refuse(word, code,
              fmt::format(
                  "{} turns the tool into a direction, which leaves the rotation about the tool open: what this control "

@@ -95,9 +95,11 @@ class OpenBracket {
  public:
   OpenBracket(BlockReading& in, Span open) : in_(in) {
     constexpr int kMost = 5;
-    if (++in.brackets <= kMost || in.syntax->statements != Statements::macro_b) return;
-    in.cursor.refuse(open, codes::kOperator, "the control takes brackets that are five deep, and no deeper",
-                     "work out what the inner brackets hold in a block before, into a variable");
+    if (in.brackets >= kMost && in.syntax->statements == Statements::macro_b) {
+      in.cursor.refuse(open, codes::kOperator, "the control takes brackets that are five deep, and no deeper",
+                       "work out what the inner brackets hold in a block before, into a variable");
+    }
+    ++in.brackets;
   }
   ~OpenBracket() { --in_.brackets; }
   OpenBracket(OpenBracket&&) = delete;
